@@ -1,0 +1,278 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_DELAUNAY_MESH_2_H
+#define CGAL_ANISOTROPIC_DELAUNAY_MESH_2_H
+
+#include <CGAL/Anisotropic_mesh_face_base_2.h>
+#include <CGAL/Anisotropic_mesh_vertex_base_2.h>
+#include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
+#include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Boundary_mesh_2.h>
+
+#include <CGAL/spatial_sort.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// An anisotropic mesh: a generalized constrained Delaunay triangulation whose
+/// faces know whether they belong to the domain and to which subdomain, and
+/// whose constrained edges keep the references of the curves they come from.
+///
+/// The boundary mesh of a domain, inserted by `insert_boundary()`, gives the
+/// *empty mesh* of section 3.2 of \cgalCite{dw-acvt-05}; refinement and
+/// optimization leave its vertices and edges as they are.
+///
+/// \tparam Gt a model of `RiemannianMetricTraits_2`.
+/// \tparam Tds a model of `TriangulationDataStructure_2` whose vertices model
+/// `AnisotropicMeshVertexBase_2` and whose faces model `AnisotropicMeshFaceBase_2`.
+template <class Gt, class Tds_ = Default>
+class Anisotropic_Delaunay_mesh_2
+  : public Constrained_anisotropic_Delaunay_triangulation_2<
+      Gt,
+      typename Default::Get<Tds_, Triangulation_data_structure_2<
+                                    Anisotropic_mesh_vertex_base_2<Gt>,
+                                    Anisotropic_mesh_face_base_2<Gt> > >::type>
+{
+public:
+  typedef typename Default::Get<Tds_, Triangulation_data_structure_2<
+                                        Anisotropic_mesh_vertex_base_2<Gt>,
+                                        Anisotropic_mesh_face_base_2<Gt> > >::type  Tds;
+  typedef Constrained_anisotropic_Delaunay_triangulation_2<Gt, Tds>               Triangulation_kernel;
+
+  typedef typename Gt::Kernel                                                     Kernel;
+  typedef typename Gt::Metric_tensor_2                                            Metric_tensor_2;
+  typedef typename Triangulation_kernel::Point                                    Point;
+  typedef typename Triangulation_kernel::Edge                                     Edge;
+  typedef typename Triangulation_kernel::Vertex_handle                            Vertex_handle;
+  typedef typename Triangulation_kernel::Face_handle                              Face_handle;
+  typedef typename Triangulation_kernel::Face_circulator                          Face_circulator;
+  typedef typename Triangulation_kernel::Cavity                                   Cavity;
+  typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel>                   Boundary_mesh;
+
+  using Triangulation_kernel::ccw;
+  using Triangulation_kernel::cw;
+  using Triangulation_kernel::insert_constraint;
+
+  /// \name Creation
+  /// @{
+
+  explicit Anisotropic_Delaunay_mesh_2(const Gt& gt = Gt()) : Triangulation_kernel(gt) {}
+
+  /// inserts the vertices and edges of a boundary mesh and marks the domain.
+  /// \throw CGAL::Constrained_triangulation_2::Intersection_of_constraints_exception
+  /// if edges cross.
+  void insert_boundary(const Boundary_mesh& boundary)
+  {
+    m_rule = boundary.rule;
+    m_holes = boundary.holes;
+    m_regions = boundary.regions;
+    const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
+    for(const auto& s : boundary.segments)
+      insert_boundary_segment(vertices[s.source], vertices[s.target],
+                              Edge_mark{s.reference, s.is_boundary});
+    mark_domain();
+  }
+  /// @}
+
+  /// \name Domain
+  /// @{
+
+  /// the reference of the curve that a constrained edge comes from, and 0 for any other edge.
+  int edge_reference(const Edge& e) const
+  {
+    const auto mark = m_edge_marks.find(key(e));
+    return mark == m_edge_marks.end() ? 0 : mark->second.reference;
+  }
+
+  /// whether the domain lies on exactly one side of the edge.
+  bool is_on_boundary(const Edge& e) const
+  {
+    return e.first->is_in_domain() != e.first->neighbor(e.second)->is_in_domain();
+  }
+
+  /// whether the vertex is an end point of a constrained edge.
+  bool is_fixed(Vertex_handle v) const { return this->are_there_incident_constraints(v); }
+
+  std::size_t number_of_faces_in_domain() const
+  {
+    std::size_t n = 0;
+    for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
+      n += f->is_in_domain();
+    return n;
+  }
+
+  /// decides for every face whether it belongs to the domain, and to which
+  /// subdomain. To be called after insertions other than by `insert_field_point()`.
+  void mark_domain()
+  {
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
+      f->set_in_domain(false);
+      f->set_subdomain_index(unvisited);
+    }
+    if(this->dimension() < 2)
+      return;
+    std::vector<bool> inside = find_components();
+    if(m_rule == Anisotropic_mesh_2::Domain_rule::SEEDS)
+      for(const Point& hole : m_holes)
+        inside[component_at(hole)] = false;
+    std::vector<int> references(inside.size(), 0);
+    for(const auto& region : m_regions)
+      references[component_at(region.seed)] = region.reference;
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
+      f->set_in_domain(inside[f->subdomain_index()]);
+      f->set_subdomain_index(references[f->subdomain_index()]);
+    }
+  }
+  /// @}
+
+  /// inserts a point of the domain whose cavity is known; the new faces belong
+  /// to the subdomain of the old ones.
+  Vertex_handle insert_field_point(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
+  {
+    const bool in_domain = cavity.faces.front()->is_in_domain();
+    const int subdomain = cavity.faces.front()->subdomain_index();
+    const Vertex_handle v = this->insert_in_cavity(p, m, cavity);
+    v->set_index(static_cast<int>(this->number_of_vertices()) - 1);
+    Face_circulator f = this->incident_faces(v), done(f);
+    do {
+      f->set_in_domain(in_domain);
+      f->set_subdomain_index(subdomain);
+    } while(++f != done);
+    return v;
+  }
+
+private:
+  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel> Graph;
+
+  struct Edge_mark
+  {
+    int  reference;
+    bool is_boundary;
+  };
+
+  // a face from which a component is filled
+  struct Seed
+  {
+    Face_handle face;
+    bool        is_inside;
+  };
+
+  static constexpr int unvisited = -1;
+
+  static std::uint64_t key(Vertex_handle u, Vertex_handle v)
+  {
+    const std::uint64_t i = std::min(u->index(), v->index()), j = std::max(u->index(), v->index());
+    return (i << 32) | j;
+  }
+  static std::uint64_t key(const Edge& e)
+  {
+    return key(e.first->vertex(ccw(e.second)), e.first->vertex(cw(e.second)));
+  }
+
+  std::vector<Vertex_handle> insert_boundary_points(const std::vector<Point>& points)
+  {
+    std::vector<std::size_t> order(points.size());
+    for(std::size_t i = 0; i < order.size(); ++i)
+      order[i] = i;
+    typedef typename Pointer_property_map<Point>::const_type Point_map;
+    CGAL::spatial_sort(order.begin(), order.end(),
+                       Spatial_sort_traits_adapter_2<Kernel, Point_map>(make_property_map(points)));
+    std::vector<Vertex_handle> vertices(points.size());
+    Face_handle hint;
+    for(std::size_t i : order) {
+      vertices[i] = this->insert(points[i], hint);
+      if(vertices[i]->index() < 0)
+        vertices[i]->set_index(static_cast<int>(this->number_of_vertices()) - 1);
+      hint = vertices[i]->face();
+    }
+    return vertices;
+  }
+
+  // A segment that passes through other vertices becomes several edges.
+  void insert_boundary_segment(Vertex_handle u, Vertex_handle v, const Edge_mark& mark)
+  {
+    insert_constraint(u, v);
+    while(u != v) {
+      Vertex_handle next;
+      Face_handle f;
+      int i;
+      if(!this->includes_edge(u, v, next, f, i))
+        return;
+      const auto added = m_edge_marks.emplace(key(u, next), mark);
+      if(!added.second) // two coinciding boundary edges have the same on both sides
+        added.first->second.is_boundary = added.first->second.is_boundary != mark.is_boundary;
+      u = next;
+    }
+  }
+
+  // Numbers the components that constrained edges separate, from the outermost
+  // on, in the subdomain indices of the faces; returns which belong to the
+  // domain as far as crossings tell.
+  std::vector<bool> find_components()
+  {
+    std::vector<bool> inside;
+    std::deque<Seed> seeds(1, Seed{this->infinite_face(), false});
+    for(; !seeds.empty(); seeds.pop_front()) {
+      const Seed seed = seeds.front();
+      if(seed.face->subdomain_index() != unvisited)
+        continue;
+      flood(seed, static_cast<int>(inside.size()), seeds);
+      inside.push_back(seed.is_inside);
+    }
+    return inside;
+  }
+
+  void flood(const Seed& seed, int component, std::deque<Seed>& seeds)
+  {
+    std::vector<Face_handle> stack(1, seed.face);
+    seed.face->set_subdomain_index(component);
+    while(!stack.empty()) {
+      const Face_handle f = stack.back();
+      stack.pop_back();
+      for(int i = 0; i < 3; ++i) {
+        const Face_handle g = f->neighbor(i);
+        if(g->subdomain_index() != unvisited)
+          continue;
+        if(f->is_constrained(i))
+          seeds.push_back(Seed{g, is_inside_beyond(Edge(f, i), seed.is_inside)});
+        else {
+          g->set_subdomain_index(component);
+          stack.push_back(g);
+        }
+      }
+    }
+  }
+
+  bool is_inside_beyond(const Edge& e, bool inside) const
+  {
+    if(m_rule == Anisotropic_mesh_2::Domain_rule::SEEDS)
+      return true;
+    const auto mark = m_edge_marks.find(key(e));
+    return inside != (mark != m_edge_marks.end() && mark->second.is_boundary);
+  }
+
+  int component_at(const Point& p) const { return this->locate(p)->subdomain_index(); }
+
+  std::unordered_map<std::uint64_t, Edge_mark> m_edge_marks;
+  Anisotropic_mesh_2::Domain_rule              m_rule = Anisotropic_mesh_2::Domain_rule::EVEN_ODD;
+  std::vector<Point>                           m_holes;
+  std::vector<typename Graph::Region>          m_regions;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_DELAUNAY_MESH_2_H

@@ -1,0 +1,29 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_DOMAIN_RULE_H
+#define CGAL_ANISOTROPIC_MESH_2_DOMAIN_RULE_H
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// how the edges of a domain tell its inside from its outside.
+enum class Domain_rule
+{
+  /// crossing a boundary edge toggles between outside and inside, starting
+  /// from the unbounded face (polygons, circles, Medit edge files).
+  EVEN_ODD,
+  /// outside is what can be reached from infinity or from the seed of a hole
+  /// without crossing any edge (Triangle `.poly` files).
+  SEEDS
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_DOMAIN_RULE_H

@@ -1,0 +1,47 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_BOUNDARY_MESH_2_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_BOUNDARY_MESH_2_H
+
+#include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// The straight graph that the mesher gets: points are pairwise different,
+// segments meet at common points only.
+template <class K>
+struct Boundary_mesh_2
+{
+  typedef typename K::Point_2                                 Point_2;
+  typedef typename Planar_straight_line_graph_2<K>::Region    Region;
+
+  struct Segment
+  {
+    std::size_t source;
+    std::size_t target;
+    int         reference;
+    bool        is_boundary; // crossing it toggles inside and outside under EVEN_ODD
+  };
+
+  std::vector<Point_2> points;
+  std::vector<Segment> segments;
+  Domain_rule          rule = Domain_rule::EVEN_ODD;
+  std::vector<Point_2> holes;
+  std::vector<Region>  regions;
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_BOUNDARY_MESH_2_H

@@ -1,0 +1,45 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SYMMETRIC_FORM_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SYMMETRIC_FORM_H
+
+#include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/difference_of_products.h>
+
+#include <CGAL/number_utils.h>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// A symmetric 2x2 matrix of doubles, as sums and means of tensors need it.
+struct Symmetric_form
+{
+  double a = 0, b = 0, c = 0; // rows (a, b) and (b, c)
+
+  Symmetric_form() {}
+  Symmetric_form(double a, double b, double c) : a(a), b(b), c(c) {}
+
+  template <class K>
+  explicit Symmetric_form(const Metric_tensor_2<K>& m)
+    : a(CGAL::to_double(m.m11())), b(CGAL::to_double(m.m12())), c(CGAL::to_double(m.m22()))
+  {}
+
+  double operator()(double x, double y) const { return (a*x + 2*b*y)*x + c*y*y; }
+  double operator()(double x, double y, double u, double v) const { return (a*x + b*y)*u + (b*x + c*y)*v; }
+  double determinant() const { return difference_of_products(a, c, b, b); }
+
+  Symmetric_form& operator+=(const Symmetric_form& m) { a += m.a; b += m.b; c += m.c; return *this; }
+  friend Symmetric_form operator+(Symmetric_form m, const Symmetric_form& n) { return m += n; }
+  friend Symmetric_form operator*(double s, const Symmetric_form& m) { return Symmetric_form(s*m.a, s*m.b, s*m.c); }
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_SYMMETRIC_FORM_H

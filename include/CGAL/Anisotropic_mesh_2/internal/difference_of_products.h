@@ -1,0 +1,39 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_DIFFERENCE_OF_PRODUCTS_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DIFFERENCE_OF_PRODUCTS_H
+
+#include <cmath>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// a*b - c*d
+template <class FT>
+FT difference_of_products(const FT& a, const FT& b, const FT& c, const FT& d)
+{
+  return a*b - c*d;
+}
+
+// The same with two fused operations where the products nearly cancel, which
+// leaves an error of at most two units in the last place (Kahan).
+inline double difference_of_products(const double& a, const double& b, const double& c, const double& d)
+{
+  const double ab = a*b, cd = c*d;
+  const double plain = ab - cd;
+  if(std::abs(plain) > 0.01 * std::abs(cd))
+    return plain;
+  const double error = std::fma(c, d, -cd);
+  return std::fma(a, b, -cd) - error;
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_DIFFERENCE_OF_PRODUCTS_H

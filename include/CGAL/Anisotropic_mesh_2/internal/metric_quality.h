@@ -1,0 +1,46 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_QUALITY_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_QUALITY_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// 4 sqrt(3) sqrt(det M) area / (sum of the squared M-lengths of the edges):
+// 1 for a triangle that is equilateral in M, negative for an inverted one
+template <class Point_2>
+double metric_quality(const Point_2& a, const Point_2& b, const Point_2& c, const Symmetric_form& m)
+{
+  const double ux = CGAL::to_double(b.x() - a.x()), uy = CGAL::to_double(b.y() - a.y());
+  const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
+  const double edges = m(ux, uy) + m(vx, vy) + m(vx - ux, vy - uy);
+  return 2 * std::sqrt(3.) * std::sqrt(m.determinant()) * (ux*vy - uy*vx) / edges;
+}
+
+// the cotangent, in M, of the smallest angle of a counterclockwise triangle
+template <class Point_2>
+double largest_cotangent(const Point_2& a, const Point_2& b, const Point_2& c, const Symmetric_form& m)
+{
+  const double ux = CGAL::to_double(b.x() - a.x()), uy = CGAL::to_double(b.y() - a.y());
+  const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
+  const double uu = m(ux, uy), vv = m(vx, vy), uv = m(ux, uy, vx, vy);
+  return std::max(uv, std::max(uu - uv, vv - uv)) / (std::sqrt(m.determinant()) * (ux*vy - uy*vx));
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_QUALITY_H

@@ -1,0 +1,59 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_FACE_BASE_2_H
+#define CGAL_ANISOTROPIC_MESH_FACE_BASE_2_H
+
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// The face base of anisotropic meshes: it tells whether the face belongs to
+/// the domain, and to which subdomain.
+///
+/// \tparam Gt a model of `RiemannianMetricTraits_2`.
+/// \tparam Fb a model of `ConstrainedTriangulationFaceBase_2`.
+///
+/// \cgalModels{AnisotropicMeshFaceBase_2}
+template <class Gt, class Fb = Constrained_triangulation_face_base_2<Gt> >
+class Anisotropic_mesh_face_base_2
+  : public Fb
+{
+public:
+  typedef typename Fb::Vertex_handle   Vertex_handle;
+  typedef typename Fb::Face_handle     Face_handle;
+
+  template <class TDS2>
+  struct Rebind_TDS
+  {
+    typedef typename Fb::template Rebind_TDS<TDS2>::Other  Fb2;
+    typedef Anisotropic_mesh_face_base_2<Gt, Fb2>          Other;
+  };
+
+  Anisotropic_mesh_face_base_2() : Fb() {}
+  Anisotropic_mesh_face_base_2(Vertex_handle v0, Vertex_handle v1, Vertex_handle v2) : Fb(v0, v1, v2) {}
+  Anisotropic_mesh_face_base_2(Vertex_handle v0, Vertex_handle v1, Vertex_handle v2,
+                               Face_handle n0, Face_handle n1, Face_handle n2)
+    : Fb(v0, v1, v2, n0, n1, n2)
+  {}
+
+  bool is_in_domain() const { return m_is_in_domain; }
+  void set_in_domain(bool b) { m_is_in_domain = b; }
+
+  /// the reference of the subdomain, meaningful for faces in the domain.
+  int subdomain_index() const { return m_subdomain_index; }
+  void set_subdomain_index(int i) { m_subdomain_index = i; }
+
+private:
+  bool m_is_in_domain = false;
+  int m_subdomain_index = 0;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_FACE_BASE_2_H

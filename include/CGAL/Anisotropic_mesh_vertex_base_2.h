@@ -1,0 +1,61 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_VERTEX_BASE_2_H
+#define CGAL_ANISOTROPIC_MESH_VERTEX_BASE_2_H
+
+#include <CGAL/Triangulation_vertex_base_2.h>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// The vertex base of anisotropic triangulations: it keeps the metric tensor of
+/// the vertex's position, so that the field is evaluated once per vertex, and
+/// an index at the user's disposal.
+///
+/// \tparam Gt a model of `RiemannianMetricTraits_2`.
+/// \tparam Vb a model of `TriangulationVertexBase_2`.
+///
+/// \cgalModels{AnisotropicMeshVertexBase_2}
+template <class Gt, class Vb = Triangulation_vertex_base_2<Gt> >
+class Anisotropic_mesh_vertex_base_2
+  : public Vb
+{
+public:
+  typedef typename Gt::Metric_tensor_2   Metric_tensor_2;
+  typedef typename Vb::Point             Point;
+  typedef typename Vb::Face_handle       Face_handle;
+
+  template <class TDS2>
+  struct Rebind_TDS
+  {
+    typedef typename Vb::template Rebind_TDS<TDS2>::Other  Vb2;
+    typedef Anisotropic_mesh_vertex_base_2<Gt, Vb2>        Other;
+  };
+
+  Anisotropic_mesh_vertex_base_2() : Vb() {}
+  explicit Anisotropic_mesh_vertex_base_2(const Point& p) : Vb(p) {}
+  Anisotropic_mesh_vertex_base_2(const Point& p, Face_handle f) : Vb(p, f) {}
+  explicit Anisotropic_mesh_vertex_base_2(Face_handle f) : Vb(f) {}
+
+  /// the tensor of the field at the position of the vertex.
+  const Metric_tensor_2& metric_tensor() const { return m_tensor; }
+  void set_metric_tensor(const Metric_tensor_2& m) { m_tensor = m; }
+
+  /// a number at the user's disposal; the mesh generators number the vertices
+  /// in the order of their insertion.
+  int index() const { return m_index; }
+  void set_index(int i) { m_index = i; }
+
+private:
+  Metric_tensor_2 m_tensor;
+  int m_index = -1;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_VERTEX_BASE_2_H

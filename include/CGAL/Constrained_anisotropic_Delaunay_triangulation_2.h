@@ -1,0 +1,443 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H
+#define CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H
+
+#include <CGAL/Anisotropic_mesh_vertex_base_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
+
+#include <CGAL/Constrained_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/spatial_sort.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// The generalized constrained Delaunay kernel (section 3.1 of
+/// \cgalCite{dw-acvt-05}): a constrained triangulation in which a new point is
+/// joined to the boundary of its *cavity*, the connected set of faces that are
+/// in conflict with it under the metric tensors of the point and of the three
+/// vertices of the face.
+///
+/// Constraints are never crossed. With a constant metric the triangulation is
+/// the constrained Delaunay triangulation of the points in that metric, with an
+/// isotropic metric it is the Euclidean one. With any other metric it depends
+/// on the order of insertion; what always holds is that every face is strictly
+/// counterclockwise and that all constraints are there.
+///
+/// Where the traits decide exactly, a cavity is star-shaped by itself; where
+/// they do not, faces that the point does not see are left out of it.
+///
+/// \tparam Gt a model of `RiemannianMetricTraits_2`.
+/// \tparam Tds a model of `TriangulationDataStructure_2` whose vertices model
+/// `AnisotropicMeshVertexBase_2` and whose faces model `ConstrainedTriangulationFaceBase_2`.
+/// \tparam Itag what to do about intersecting constraints, as in `Constrained_triangulation_2`.
+template <class Gt, class Tds_ = Default, class Itag_ = Default>
+class Constrained_anisotropic_Delaunay_triangulation_2
+  : public Constrained_triangulation_2<
+      Gt,
+      typename Default::Get<Tds_, Triangulation_data_structure_2<
+                                    Anisotropic_mesh_vertex_base_2<Gt>,
+                                    Constrained_triangulation_face_base_2<Gt> > >::type,
+      typename Default::Get<Itag_, No_constraint_intersection_requiring_constructions_tag>::type>
+{
+public:
+  typedef typename Default::Get<Tds_, Triangulation_data_structure_2<
+                                        Anisotropic_mesh_vertex_base_2<Gt>,
+                                        Constrained_triangulation_face_base_2<Gt> > >::type  Tds;
+  typedef typename Default::Get<Itag_, No_constraint_intersection_requiring_constructions_tag>::type Itag;
+  typedef Constrained_triangulation_2<Gt, Tds, Itag>  Constrained_triangulation;
+
+  typedef Gt                                                   Geom_traits;
+  typedef typename Gt::Metric_tensor_2                         Metric_tensor_2;
+  typedef typename Constrained_triangulation::Point            Point;
+  typedef typename Constrained_triangulation::Edge             Edge;
+  typedef typename Constrained_triangulation::Vertex_handle    Vertex_handle;
+  typedef typename Constrained_triangulation::Face_handle      Face_handle;
+  typedef typename Constrained_triangulation::Face_circulator  Face_circulator;
+  typedef typename Constrained_triangulation::Locate_type      Locate_type;
+  typedef typename Constrained_triangulation::List_faces       List_faces;
+  typedef typename Constrained_triangulation::List_edges       List_edges;
+  typedef typename Constrained_triangulation::size_type        size_type;
+
+  using Constrained_triangulation::ccw;
+  using Constrained_triangulation::cw;
+  using Constrained_triangulation::dimension;
+  using Constrained_triangulation::geom_traits;
+  using Constrained_triangulation::insert_constraint;
+  using Constrained_triangulation::is_constrained;
+  using Constrained_triangulation::is_infinite;
+  using Constrained_triangulation::locate;
+  using Constrained_triangulation::mirror_edge;
+  using Constrained_triangulation::mirror_index;
+  using Constrained_triangulation::number_of_vertices;
+  using Constrained_triangulation::orientation;
+
+  /// \name Creation
+  /// @{
+
+  explicit Constrained_anisotropic_Delaunay_triangulation_2(const Gt& gt = Gt())
+    : Constrained_triangulation(gt)
+  {}
+  /// @}
+
+  /// \name Insertion and Removal
+  /// @{
+
+  /// inserts `p` and returns its vertex, which is the old one where `p` stands already.
+  /// The search for `p` starts at `start`.
+  ///
+  /// The cost is that of the location plus the size of the cavity, on average constant.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at `p`.
+  Vertex_handle insert(const Point& p, Face_handle start = Face_handle())
+  {
+    Locate_type lt;
+    int li;
+    const Face_handle f = locate(p, lt, li, start);
+    return insert(p, lt, f, li);
+  }
+
+  /// inserts `p` where `locate()` has found it.
+  Vertex_handle insert(const Point& p, Locate_type lt, Face_handle f, int li)
+  {
+    if(lt == Constrained_triangulation::VERTEX)
+      return f->vertex(li);
+    return insert(p, geom_traits().construct_metric_tensor_2_object()(p), lt, f, li);
+  }
+
+  /// inserts `p`, where `m` is the tensor of the field at `p`.
+  Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
+  {
+    if(lt == Constrained_triangulation::VERTEX)
+      return f->vertex(li);
+    if(is_inside_hull(lt, f, li) && !(lt == Constrained_triangulation::EDGE && f->is_constrained(li))) {
+      Cavity cavity;
+      find_cavity(p, m, lt, f, li, cavity);
+      return insert_in_cavity(p, m, cavity);
+    }
+    const Vertex_handle v = Constrained_triangulation::insert(p, lt, f, li);
+    v->set_metric_tensor(m);
+    if(dimension() == 2)
+      restore_star(v);
+    return v;
+  }
+
+  Vertex_handle push_back(const Point& p) { return insert(p); }
+
+  /// inserts the points of a range in the order of `spatial_sort()` and returns
+  /// how many vertices came in addition.
+  template <class PointIterator>
+  std::ptrdiff_t insert(PointIterator first, PointIterator last)
+  {
+    const size_type before = number_of_vertices();
+    std::vector<Point> points(first, last);
+    CGAL::spatial_sort(points.begin(), points.end(), static_cast<const typename Gt::Kernel&>(geom_traits()));
+    Face_handle hint;
+    for(const Point& p : points)
+      hint = insert(p, hint)->face();
+    return number_of_vertices() - before;
+  }
+
+  /// inserts the points of a range and the segments between consecutive ones
+  /// as constraints, and if `close` the segment from the last to the first.
+  template <class PointIterator>
+  void insert_constraint(PointIterator first, PointIterator last, bool close = false)
+  {
+    if(first == last)
+      return;
+    const Vertex_handle start = insert(*first);
+    Vertex_handle v = start;
+    for(++first; first != last; ++first) {
+      const Vertex_handle w = insert(*first, v->face());
+      if(v != w)
+        insert_constraint(v, w);
+      v = w;
+    }
+    if(close && v != start)
+      insert_constraint(v, start);
+  }
+  /// @}
+
+  /// \name Cavities
+  /// @{
+
+  /// what the insertion of a point replaces: `faces`, and around them the
+  /// edges `boundary` in counterclockwise order, each as seen from outside.
+  struct Cavity
+  {
+    boost::container::small_vector<Face_handle, 16> faces;
+    boost::container::small_vector<Edge, 18>        boundary;
+  };
+
+  /// whether the finite face `f` is in conflict with a point `p` of tensor `m`.
+  bool is_in_conflict(Face_handle f, const Point& p, const Metric_tensor_2& m) const
+  {
+    const auto &a = *f->vertex(0), &b = *f->vertex(1), &c = *f->vertex(2);
+    return geom_traits().side_of_metric_circle_2_object()
+             (a.point(), b.point(), c.point(), p,
+              a.metric_tensor(), b.metric_tensor(), c.metric_tensor(), m) == ON_POSITIVE_SIDE;
+  }
+
+  /// finds the cavity of `p`, which `locate()` has found inside of a finite
+  /// face or of an edge that is not constrained and has two finite faces.
+  void find_cavity(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li,
+                   Cavity& cavity) const
+  {
+    CGAL_precondition(is_inside_hull(lt, f, li));
+    boost::container::small_vector<Edge, 16> to_cross; // a stack: the next edge counterclockwise on top
+    const auto enter = [&](Face_handle g, int from)
+    {
+      cavity.faces.push_back(g);
+      to_cross.push_back(Edge(g, cw(from)));
+      to_cross.push_back(Edge(g, ccw(from)));
+    };
+
+    if(lt == Constrained_triangulation::EDGE) {
+      CGAL_precondition(!f->is_constrained(li));
+      const Edge e = mirror_edge(Edge(f, li));
+      enter(e.first, e.second);
+      enter(f, li);
+    }
+    else {
+      cavity.faces.push_back(f);
+      for(int i = 2; i >= 0; --i)
+        to_cross.push_back(Edge(f, i));
+    }
+    while(!to_cross.empty()) {
+      const Edge inner = to_cross.back();
+      to_cross.pop_back();
+      const Edge outer = mirror_edge(inner);
+      if(is_crossed(inner, outer, p, m))
+        enter(outer.first, outer.second);
+      else
+        cavity.boundary.push_back(outer);
+    }
+  }
+
+  /// replaces `cavity` by the ball of `p`, the faces that join `p` to its boundary.
+  Vertex_handle insert_in_cavity(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
+  {
+    const Vertex_handle v = this->star_hole(p, cavity.boundary.begin(), cavity.boundary.end(),
+                                            cavity.faces.begin(), cavity.faces.end());
+    v->set_metric_tensor(m);
+    return v;
+  }
+  /// @}
+
+  /// \name Flips
+  /// @{
+
+  /// whether the edge is neither constrained nor on the hull, and its two faces
+  /// form a strictly convex quadrilateral.
+  bool is_flippable(Face_handle f, int i) const
+  {
+    const Face_handle g = f->neighbor(i);
+    if(f->is_constrained(i) || is_infinite(f) || is_infinite(g))
+      return false;
+    const Point& p = f->vertex(i)->point();
+    const Point& q = g->vertex(mirror_index(f, i))->point();
+    return orientation(p, f->vertex(ccw(i))->point(), q) == LEFT_TURN
+        && orientation(q, f->vertex(cw(i))->point(), p) == LEFT_TURN;
+  }
+
+  /// replaces the edge by the other diagonal of its two faces.
+  /// \pre `is_flippable(f, i)`
+  void flip(Face_handle f, int i)
+  {
+    const Face_handle g = f->neighbor(i);
+    const int j = mirror_index(f, i);
+    // around the quadrilateral f->vertex(i), f->vertex(ccw(i)), g->vertex(j), f->vertex(cw(i)):
+    const bool c0 = f->is_constrained(cw(i)), c1 = g->is_constrained(ccw(j));
+    const bool c2 = g->is_constrained(cw(j)), c3 = f->is_constrained(ccw(i));
+    const Vertex_handle v0 = f->vertex(i), v1 = f->vertex(ccw(i)), v2 = g->vertex(j), v3 = f->vertex(cw(i));
+
+    this->tds().flip(f, i);
+
+    const auto mark = [&](Face_handle h, Vertex_handle opposite, bool constrained)
+                      { h->set_constraint(h->index(opposite), constrained); };
+    const Face_handle h = f->has_vertex(v1) ? f : g, k = f->has_vertex(v1) ? g : f;
+    mark(h, v1, false); mark(h, v2, c0); mark(h, v0, c1); // h = v0 v1 v2
+    mark(k, v3, false); mark(k, v0, c2); mark(k, v2, c3); // k = v2 v3 v0
+  }
+
+  /// whether the edge satisfies the criterion from at least one of its sides,
+  /// or cannot be flipped.
+  bool is_locally_Delaunay(Face_handle f, int i) const
+  {
+    if(!is_flippable(f, i))
+      return true;
+    const Edge e = mirror_edge(Edge(f, i));
+    return !(is_in_conflict(f, e.first->vertex(e.second)) && is_in_conflict(e.first, f->vertex(i)));
+  }
+
+  /// flips the given edges, and then those around the flipped ones, until all
+  /// are locally Delaunay.
+  ///
+  /// With a constant metric this ends by itself. With different tensors flips
+  /// might follow each other in a circle; therefore, after a number of flips
+  /// proportional to that of the edges, each must also raise the smallest angle
+  /// of the two faces, measured in the mean of the tensors of the vertices of each.
+  /// \return the number of flips.
+  size_type restore_local_criterion(std::vector<Edge> edges)
+  {
+    const size_type free_flips = 4 * edges.size() + 16;
+    size_type flips = 0;
+    while(!edges.empty()) {
+      const Edge e = edges.back();
+      edges.pop_back();
+      if(is_locally_Delaunay(e.first, e.second) || (flips >= free_flips && !flip_raises_smallest_angle(e)))
+        continue;
+      const Face_handle f = e.first, g = f->neighbor(e.second);
+      flip(f, e.second);
+      ++flips;
+      for(int i = 0; i < 3; ++i) {
+        if(f->neighbor(i) != g)
+          edges.push_back(Edge(f, i));
+        if(g->neighbor(i) != f)
+          edges.push_back(Edge(g, i));
+      }
+    }
+    return flips;
+  }
+  /// @}
+
+  /// checks the data structure, the marks of the constraints and, with exact
+  /// predicates where the traits have them, that every finite face is strictly
+  /// counterclockwise. With `verbose` the first defect is written to `std::cerr`.
+  bool is_valid(bool verbose = false, int level = 0) const
+  {
+    if(!this->tds().is_valid(verbose, level))
+      return complain(verbose, "the data structure is not valid");
+    if(dimension() < 2)
+      return true;
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
+      for(int i = 0; i < 3; ++i) {
+        const Edge e = mirror_edge(Edge(f, i));
+        if(f->is_constrained(i) != e.first->is_constrained(e.second))
+          return complain(verbose, "an edge is constrained from one side only");
+      }
+    for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
+      if(orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != LEFT_TURN)
+        return complain(verbose, "a face is not counterclockwise");
+    return true;
+  }
+
+protected:
+  Vertex_handle virtual_insert(const Point& p, Face_handle start = Face_handle()) override
+  {
+    return insert(p, start);
+  }
+
+  Vertex_handle virtual_insert(const Point& p, Locate_type lt, Face_handle f, int li) override
+  {
+    return insert(p, lt, f, li);
+  }
+
+  // The hole that a new constraint leaves is triangulated anyhow, and then
+  // flipped until its edges are locally Delaunay.
+  void triangulate_hole(List_faces& faces, List_edges& boundary_ab, List_edges& boundary_ba) override
+  {
+    List_edges new_edges;
+    Constrained_triangulation::triangulate_hole(faces, boundary_ab, boundary_ba, new_edges);
+    restore_local_criterion(std::vector<Edge>(new_edges.begin(), new_edges.end()));
+  }
+
+private:
+  bool is_in_conflict(Face_handle f, Vertex_handle v) const
+  {
+    return is_in_conflict(f, v->point(), v->metric_tensor());
+  }
+
+  bool is_inside_hull(Locate_type lt, Face_handle f, int li) const
+  {
+    return dimension() == 2
+        && (lt == Constrained_triangulation::FACE
+            || (lt == Constrained_triangulation::EDGE && !is_infinite(f) && !is_infinite(f->neighbor(li))));
+  }
+
+  bool is_crossed(const Edge& inner, const Edge& outer, const Point& p, const Metric_tensor_2& m) const
+  {
+    if(inner.first->is_constrained(inner.second) || is_infinite(outer.first)
+       || !is_in_conflict(outer.first, p, m))
+      return false;
+    const bool seen = Gt::has_exact_predicates || sees_other_edges(outer, p);
+    CGAL_expensive_assertion(sees_other_edges(outer, p));
+    return seen;
+  }
+
+  // whether p lies strictly on the inner side of the two edges of the face other than e
+  bool sees_other_edges(const Edge& e, const Point& p) const
+  {
+    const Point& a = e.first->vertex(e.second)->point();
+    return orientation(a, e.first->vertex(ccw(e.second))->point(), p) == LEFT_TURN
+        && orientation(e.first->vertex(cw(e.second))->point(), a, p) == LEFT_TURN;
+  }
+
+  // Flips the edges opposite to v until no face beyond them is in conflict with
+  // it. A flip adds an edge to v and none is ever taken away, which ends it.
+  void restore_star(Vertex_handle v)
+  {
+    std::vector<Edge> opposite;
+    Face_circulator f = this->incident_faces(v), done(f);
+    do {
+      opposite.push_back(Edge(f, f->index(v)));
+    } while(++f != done);
+
+    while(!opposite.empty()) {
+      const Edge e = opposite.back();
+      opposite.pop_back();
+      const Face_handle outside = e.first->neighbor(e.second);
+      if(is_infinite(e.first) || is_infinite(outside) || e.first->is_constrained(e.second)
+         || !is_in_conflict(outside, v) || !is_flippable(e.first, e.second))
+        continue;
+      flip(e.first, e.second);
+      opposite.push_back(Edge(e.first, e.first->index(v)));
+      opposite.push_back(Edge(outside, outside->index(v)));
+    }
+  }
+
+  // whether the flip lowers the largest cotangent in the two faces, that is,
+  // raises their smallest angle, by more than rounding errors can
+  bool flip_raises_smallest_angle(const Edge& e) const
+  {
+    const Edge m = mirror_edge(e);
+    const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
+    const Vertex_handle a = e.first->vertex(ccw(e.second)), b = e.first->vertex(cw(e.second));
+    const double before = std::max(largest_cotangent(p, a, b), largest_cotangent(q, b, a));
+    const double after = std::max(largest_cotangent(p, a, q), largest_cotangent(q, b, p));
+    return after < before * (1 - 1e-9);
+  }
+
+  // of the angles of a triangle in the mean of the tensors of its vertices
+  static double largest_cotangent(Vertex_handle a, Vertex_handle b, Vertex_handle c)
+  {
+    using Anisotropic_mesh_2::internal::Symmetric_form;
+    const Symmetric_form m = Symmetric_form(a->metric_tensor()) + Symmetric_form(b->metric_tensor())
+                           + Symmetric_form(c->metric_tensor());
+    return Anisotropic_mesh_2::internal::largest_cotangent(a->point(), b->point(), c->point(), m);
+  }
+
+  static bool complain(bool verbose, const char* what)
+  {
+    if(verbose)
+      std::cerr << "Constrained_anisotropic_Delaunay_triangulation_2: " << what << std::endl;
+    return false;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H

@@ -1,0 +1,42 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_INVALID_METRIC_TENSOR_EXCEPTION_H
+#define CGAL_INVALID_METRIC_TENSOR_EXCEPTION_H
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Exceptions
+///
+/// thrown when a metric tensor is not finite or not positive definite.
+///
+/// The message names the entries (or the sizes and the angle) and, as soon as
+/// the tensor was asked for at a point, the point.
+class Invalid_metric_tensor_exception
+  : public std::runtime_error
+{
+public:
+  explicit Invalid_metric_tensor_exception(const std::string& what)
+    : std::runtime_error(what)
+  {}
+
+  /// returns the same complaint, telling that it arose at `(x, y)`.
+  Invalid_metric_tensor_exception at(double x, double y) const
+  {
+    std::ostringstream os;
+    os.precision(17);
+    os << what() << " at the point (" << x << ", " << y << ")";
+    return Invalid_metric_tensor_exception(os.str());
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_INVALID_METRIC_TENSOR_EXCEPTION_H

@@ -1,0 +1,176 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_RIEMANNIAN_METRIC_TRAITS_2_H
+#define CGAL_RIEMANNIAN_METRIC_TRAITS_2_H
+
+#include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Filtered_side_of_metric_circle_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Side_of_metric_circle_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/segment_length.h>
+
+#include <CGAL/Algebraic_structure_traits.h>
+#include <CGAL/Triangulation_structural_filtering_traits.h>
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// The geometry of the plane under a metric field: the functors of a \cgal
+/// kernel together with those that measure and decide in the metric.
+///
+/// The metric field is state of the traits. Copies of the traits share it, and
+/// the functors that evaluate the field are valid as long as one copy lives.
+///
+/// The cavity criterion is decided exactly whenever the predicates of `K` are
+/// exact: with `Exact_predicates_inexact_constructions_kernel` by an estimate
+/// in `double`, interval arithmetic and exact arithmetic in this order, with an
+/// exact kernel in its own arithmetic.
+///
+/// \tparam K a model of `Kernel`.
+/// \tparam MetricField_ a model of `MetricField_2`, for example a function
+/// object from `K::Point_2` to `Metric_tensor_2<K>`.
+///
+/// \cgalModels{RiemannianMetricTraits_2}
+template <class K, class MetricField_>
+class Riemannian_metric_traits_2
+  : public K
+{
+  template <class K2, bool is_filtered>
+  struct Select_side { typedef Anisotropic_mesh_2::internal::Side_of_metric_circle_2<K2> type; };
+  template <class K2>
+  struct Select_side<K2, true>
+  { typedef Anisotropic_mesh_2::internal::Filtered_side_of_metric_circle_2<K2> type; };
+
+  static constexpr bool is_filtered = K::Has_filtered_predicates && std::is_same<typename K::FT, double>::value;
+
+public:
+  typedef K                              Kernel;
+  typedef MetricField_                   Metric_field;
+  typedef typename K::FT                 FT;
+  typedef typename K::Point_2            Point_2;
+  typedef CGAL::Metric_tensor_2<K>       Metric_tensor_2;
+
+  /// whether orientation and the cavity criterion are decided without rounding errors
+  static constexpr bool has_exact_predicates
+    = K::Has_filtered_predicates || Algebraic_structure_traits<FT>::Is_exact::value;
+
+  /// the cavity criterion, `operator()(a, b, c, p, ma, mb, mc, mp)`: positive if
+  /// \f$ \alpha_{M(p)} \alpha_{M(a)} \alpha_{M(b)} \alpha_{M(c)} < 1 \f$ for the
+  /// counterclockwise triangle `abc`, that is, if `p` conflicts with it
+  /// (section 3.1 of \cgalCite{dw-acvt-05}).
+  typedef typename Select_side<K, is_filtered>::type  Side_of_metric_circle_2;
+
+  /// evaluates the field.
+  class Construct_metric_tensor_2
+  {
+  public:
+    typedef CGAL::Metric_tensor_2<K> result_type;
+
+    explicit Construct_metric_tensor_2(const Metric_field* field) : m_field(field) {}
+
+    /// \throw Invalid_metric_tensor_exception naming `p`.
+    result_type operator()(const Point_2& p) const
+    {
+      CGAL_precondition_msg(m_field != nullptr, "the traits hold no metric field");
+      try {
+        return (*m_field)(p);
+      }
+      catch(const Invalid_metric_tensor_exception& e) {
+        throw e.at(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+      }
+    }
+
+  private:
+    const Metric_field* m_field;
+  };
+
+  /// the squared directional distance from `z` to `x`, measured by the tensor
+  /// at `x` (definition 2.1 of \cgalCite{dw-acvt-05}); it is not symmetric.
+  class Compute_squared_directional_distance_2
+  {
+  public:
+    typedef FT result_type;
+
+    explicit Compute_squared_directional_distance_2(const Construct_metric_tensor_2& tensor) : m_tensor(tensor) {}
+
+    FT operator()(const Point_2& x, const Point_2& z) const { return (*this)(x, z, m_tensor(x)); }
+
+    /// the same where the tensor at `x` is at hand.
+    FT operator()(const Point_2& x, const Point_2& z, const Metric_tensor_2& mx) const
+    {
+      return mx.squared_length(z.x() - x.x(), z.y() - x.y());
+    }
+
+  private:
+    Construct_metric_tensor_2 m_tensor;
+  };
+
+  /// the Riemannian length of the segment from `p` to `q`, by adaptive
+  /// quadrature with a relative error of about 10<sup>-6</sup> where the field is smooth.
+  class Compute_riemannian_length_2
+  {
+  public:
+    typedef double result_type;
+
+    explicit Compute_riemannian_length_2(const Construct_metric_tensor_2& tensor) : m_tensor(tensor) {}
+
+    double operator()(const Point_2& p, const Point_2& q) const
+    {
+      return Anisotropic_mesh_2::internal::segment_length(p, q, m_tensor);
+    }
+
+  private:
+    Construct_metric_tensor_2 m_tensor;
+  };
+
+  /// \name Creation
+  /// @{
+
+  /// traits without a field: good for nothing but being assigned to.
+  Riemannian_metric_traits_2() {}
+
+  explicit Riemannian_metric_traits_2(const Metric_field& field, const K& kernel = K())
+    : K(kernel), m_field(std::make_shared<const Metric_field>(field))
+  {}
+  /// @}
+
+  /// \pre the traits were built from a field.
+  const Metric_field& metric_field() const
+  {
+    CGAL_precondition(m_field != nullptr);
+    return *m_field;
+  }
+
+  Construct_metric_tensor_2 construct_metric_tensor_2_object() const
+  { return Construct_metric_tensor_2(m_field.get()); }
+
+  Side_of_metric_circle_2 side_of_metric_circle_2_object() const
+  { return Side_of_metric_circle_2(); }
+
+  Compute_squared_directional_distance_2 compute_squared_directional_distance_2_object() const
+  { return Compute_squared_directional_distance_2(construct_metric_tensor_2_object()); }
+
+  Compute_riemannian_length_2 compute_riemannian_length_2_object() const
+  { return Compute_riemannian_length_2(construct_metric_tensor_2_object()); }
+
+private:
+  std::shared_ptr<const Metric_field> m_field;
+};
+
+// Point location is as fast as in triangulations over the kernel itself.
+template <class K, class MetricField_>
+struct Triangulation_structural_filtering_traits<Riemannian_metric_traits_2<K, MetricField_> >
+  : public Triangulation_structural_filtering_traits<K>
+{};
+
+} // namespace CGAL
+
+#endif // CGAL_RIEMANNIAN_METRIC_TRAITS_2_H

@@ -1,0 +1,1 @@
+// The precompiled header of the tests needs a target of its own to be built in.
