@@ -132,17 +132,6 @@ void declare_output(CLI::App& app, Options& options, Raw_options& raw)
     ->group(group);
 }
 
-std::string extension_of(const std::string& path)
-{
-  const std::size_t dot = path.rfind('.'), slash = path.rfind('/');
-  if(dot == std::string::npos || (slash != std::string::npos && dot < slash))
-    return std::string();
-  std::string extension = path.substr(dot);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension;
-}
-
 Output output_of(const std::string& path)
 {
   static const std::map<std::string, File_format> formats
@@ -301,10 +290,26 @@ Options parse_options(int argc, const char* const* argv)
   return options;
 }
 
+std::string extension_of(const std::string& path)
+{
+  const std::size_t dot = path.rfind('.'), slash = path.rfind('/');
+  if(dot == std::string::npos || (slash != std::string::npos && dot < slash))
+    return std::string();
+  std::string extension = path.substr(dot);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+std::string name_of_domain(const Options& options)
+{
+  return options.domain_is_builtin ? builtin_prefix + options.domain : options.domain;
+}
+
 std::string name_of_metric(const Options& options)
 {
   switch(options.metric_source) {
-  case Metric_source::BUILTIN: return builtin_prefix + options.domain;
+  case Metric_source::BUILTIN: return name_of_domain(options);
   case Metric_source::SIZES:   return "--h1, --h2, --theta";
   case Metric_source::ENTRIES: return "--m11, --m12, --m22";
   case Metric_source::SIZE:    return "--size";

@@ -71,7 +71,11 @@ struct Options
 // throws Unusable_input
 Options parse_options(int argc, const char* const* argv);
 
-// what a complaint about the metric should name
+// the extension with its dot, in lower case
+std::string extension_of(const std::string& path);
+
+// what complaints about the domain and the metric should name
+std::string name_of_domain(const Options& options);
 std::string name_of_metric(const Options& options);
 
 } // namespace program

@@ -12,10 +12,7 @@
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Boundary_mesh_2.h>
-
-#include <CGAL/spatial_sort.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/property_map.h>
+#include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -60,6 +57,7 @@ public:
   typedef typename Triangulation_kernel::Vertex_handle                            Vertex_handle;
   typedef typename Triangulation_kernel::Face_handle                              Face_handle;
   typedef typename Triangulation_kernel::Face_circulator                          Face_circulator;
+  typedef typename Triangulation_kernel::Locate_type                              Locate_type;
   typedef typename Triangulation_kernel::Cavity                                   Cavity;
   typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel>                   Boundary_mesh;
 
@@ -87,6 +85,47 @@ public:
     mark_domain();
   }
   /// @}
+
+  /// the mesh of the fixed vertices and the constrained edges alone, with the
+  /// same indices, references and domain: the stored empty mesh of section 4
+  /// of \cgalCite{dw-acvt-05}.
+  Anisotropic_Delaunay_mesh_2 empty_mesh() const
+  {
+    Anisotropic_Delaunay_mesh_2 result(this->geom_traits());
+    result.m_edge_marks = m_edge_marks;
+    result.m_rule = m_rule;
+    result.m_holes = m_holes;
+    result.m_regions = m_regions;
+    std::unordered_map<int, Vertex_handle> copies;
+    Face_handle hint;
+    const auto copy = [&](Vertex_handle v)
+    {
+      Vertex_handle& c = copies[v->index()];
+      if(c == Vertex_handle()) {
+        c = result.insert(v->point(), hint);
+        c->set_index(v->index());
+        hint = c->face();
+      }
+      return c;
+    };
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
+      for(int i = 0; i < 3; ++i) {
+        const Vertex_handle u = f->vertex(ccw(i)), v = f->vertex(cw(i));
+        if(f->is_constrained(i) && u->index() < v->index())
+          result.insert_constraint(copy(u), copy(v));
+      }
+    result.mark_domain();
+    return result;
+  }
+
+  void swap(Anisotropic_Delaunay_mesh_2& other)
+  {
+    Triangulation_kernel::swap(other);
+    std::swap(m_edge_marks, other.m_edge_marks);
+    std::swap(m_rule, other.m_rule);
+    std::swap(m_holes, other.m_holes);
+    std::swap(m_regions, other.m_regions);
+  }
 
   /// \name Domain
   /// @{
@@ -139,6 +178,15 @@ public:
   }
   /// @}
 
+  /// whether a point that `locate()` has found there lies inside of the domain
+  /// and neither on a vertex nor on a constrained edge.
+  bool is_field_point(Locate_type lt, Face_handle f, int li) const
+  {
+    return (lt == Triangulation_kernel::FACE
+            || (lt == Triangulation_kernel::EDGE && this->dimension() == 2 && !f->is_constrained(li)))
+        && f->is_in_domain();
+  }
+
   /// inserts a point of the domain whose cavity is known; the new faces belong
   /// to the subdomain of the old ones.
   Vertex_handle insert_field_point(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
@@ -185,15 +233,9 @@ private:
 
   std::vector<Vertex_handle> insert_boundary_points(const std::vector<Point>& points)
   {
-    std::vector<std::size_t> order(points.size());
-    for(std::size_t i = 0; i < order.size(); ++i)
-      order[i] = i;
-    typedef typename Pointer_property_map<Point>::const_type Point_map;
-    CGAL::spatial_sort(order.begin(), order.end(),
-                       Spatial_sort_traits_adapter_2<Kernel, Point_map>(make_property_map(points)));
     std::vector<Vertex_handle> vertices(points.size());
     Face_handle hint;
-    for(std::size_t i : order) {
+    for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order<Kernel>(points)) {
       vertices[i] = this->insert(points[i], hint);
       if(vertices[i]->index() < 0)
         vertices[i]->set_index(static_cast<int>(this->number_of_vertices()) - 1);

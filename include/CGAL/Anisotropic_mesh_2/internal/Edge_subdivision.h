@@ -78,12 +78,15 @@ private:
   }
 
   // Bisects until both halves agree with the whole to a hundredth, of the part
-  // itself or of the unit length that matters.
+  // itself or of the unit length that matters, and with each other well enough
+  // for points to be placed in between.
   template <class Speed>
   void collect_parts(const Speed& speed, double t0, double t1, double whole, int depth)
   {
     const double middle = (t0 + t1) / 2, left = gauss(speed, t0, middle), right = gauss(speed, middle, t1);
-    if(depth == 0 || std::abs(left + right - whole) <= 0.01 * std::max(left + right, 0.1)) {
+    const double sum = left + right;
+    if(depth == 0 || (std::abs(sum - whole) <= 0.01 * std::max(sum, 0.1)
+                      && std::abs(left - right) <= 0.05 * std::max(sum, 1.))) {
       m_parts.push_back(Part{t0, middle, left});
       m_parts.push_back(Part{middle, t1, right});
       return;

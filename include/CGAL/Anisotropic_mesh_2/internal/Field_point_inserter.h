@@ -7,7 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_FIELD_POINT_INSERTER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_FIELD_POINT_INSERTER_H
 
+#include <CGAL/Anisotropic_mesh_2/Point_placement.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Edge_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/unit_apex.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Too_many_vertices_exception.h>
 
@@ -45,22 +47,43 @@ public:
       m_tensor(mesh.geom_traits().construct_metric_tensor_2_object())
   {}
 
-  // Each round looks at the edges that the last one created. Accepted points
-  // keep a distance in the metric, which ends the rounds; the bound is for
-  // metrics so rough that distances mean little.
-  void operator()()
+  // With ADVANCING_FRONT, points come from the fronts as long as these advance;
+  // what stays too long afterwards is subdivided.
+  void operator()(Point_placement placement)
   {
-    std::vector<Vertex_pair> edges = interior_edges();
-    for(int round = 0; round < maximum_number_of_rounds && !edges.empty(); ++round) {
-      m_new_vertices.clear();
-      for(const Vertex_pair& e : edges)
-        subdivide(e.first, e.second);
-      edges = edges_of_new_vertices();
-    }
+    if(placement == Point_placement::ADVANCING_FRONT)
+      repeat_rounds(front_edges(), [this](const Vertex_pair& e) { advance(e.first, e.second); });
+    repeat_rounds(interior_edges(), [this](const Vertex_pair& e) { subdivide(e.first, e.second); });
   }
 
 private:
   static constexpr int maximum_number_of_rounds = 1000;
+
+  // Each round looks at the edges that the last one created. Accepted points
+  // keep a distance in the metric, which ends the rounds; the bound is for
+  // metrics so rough that distances mean little.
+  template <class Treat>
+  void repeat_rounds(std::vector<Vertex_pair> edges, const Treat& treat)
+  {
+    for(int round = 0; round < maximum_number_of_rounds && !edges.empty(); ++round) {
+      m_new_vertices.clear();
+      for(const Vertex_pair& e : edges)
+        treat(e);
+      edges = edges_of_new_vertices();
+    }
+  }
+
+  // Points at unit distance from both ends of an edge, on both its sides.
+  void advance(Vertex_handle u, Vertex_handle v)
+  {
+    for(int side = 0; side < 2; ++side) {
+      Point apex;
+      if(unit_apex(side == 0 ? u : v, side == 0 ? v : u, m_tensor, apex)) {
+        Face_handle hint = u->face();
+        try_to_insert(apex, hint);
+      }
+    }
+  }
 
   void subdivide(Vertex_handle u, Vertex_handle v)
   {
@@ -75,7 +98,7 @@ private:
     int li;
     const Face_handle f = m_mesh.locate(p, lt, li, hint);
     hint = f;
-    if(!is_insertable(lt, f, li))
+    if(!m_mesh.is_field_point(lt, f, li))
       return;
     const Metric_tensor m = m_tensor(p);
     m_cavity.faces.clear();
@@ -88,11 +111,6 @@ private:
     const Vertex_handle v = m_mesh.insert_field_point(p, m, m_cavity);
     m_new_vertices.push_back(v);
     hint = v->face();
-  }
-
-  bool is_insertable(typename Mesh::Locate_type lt, Face_handle f, int li) const
-  {
-    return (lt == Mesh::FACE || (lt == Mesh::EDGE && !f->is_constrained(li))) && f->is_in_domain();
   }
 
   bool keeps_distance(const Point& p, const Metric_tensor& m) const
@@ -109,12 +127,30 @@ private:
     return (std::sqrt(Symmetric_form(m)(x, y)) + std::sqrt(Symmetric_form(v->metric_tensor())(x, y))) / 2;
   }
 
+  // the constrained edges
+  std::vector<Vertex_pair> front_edges() const
+  {
+    std::vector<Vertex_pair> edges;
+    for(auto f = m_mesh.all_faces_begin(); f != m_mesh.all_faces_end(); ++f)
+      for(int i = 0; i < 3; ++i) {
+        const Vertex_handle u = f->vertex(Mesh::ccw(i)), v = f->vertex(Mesh::cw(i));
+        if(f->is_constrained(i) && u->index() < v->index())
+          edges.emplace_back(u, v);
+      }
+    return edges;
+  }
+
+  // Each edge is taken from the side from which its vertices are in the order
+  // of their indices: handles compare by address, which differs from run to run.
   std::vector<Vertex_pair> interior_edges() const
   {
     std::vector<Vertex_pair> edges;
-    for(auto e = m_mesh.finite_edges_begin(); e != m_mesh.finite_edges_end(); ++e)
-      if(e->first->is_in_domain() && !m_mesh.is_constrained(*e))
-        edges.emplace_back(e->first->vertex(Mesh::ccw(e->second)), e->first->vertex(Mesh::cw(e->second)));
+    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
+      for(int i = 0; i < 3 && f->is_in_domain(); ++i) {
+        const Vertex_handle u = f->vertex(Mesh::ccw(i)), v = f->vertex(Mesh::cw(i));
+        if(!f->is_constrained(i) && u->index() < v->index())
+          edges.emplace_back(u, v);
+      }
     return edges;
   }
 

@@ -18,6 +18,34 @@ namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
+// The vertices of the domain that end no constrained edge, in the order of their indices.
+template <class Mesh>
+std::vector<typename Mesh::Vertex_handle> free_vertices(const Mesh& mesh)
+{
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  std::vector<bool> is_free(mesh.number_of_vertices(), true);
+  for(auto f = mesh.all_faces_begin(); f != mesh.all_faces_end(); ++f)
+    for(int i = 0; i < 3; ++i)
+      if(!mesh.is_infinite(f->vertex(i)) && (f->is_constrained(Mesh::ccw(i)) || !f->is_in_domain()))
+        is_free[f->vertex(i)->index()] = false;
+  std::vector<Vertex_handle> result;
+  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
+    if(is_free[v->index()])
+      result.push_back(v);
+  std::sort(result.begin(), result.end(),
+            [](Vertex_handle v, Vertex_handle w) { return v->index() < w->index(); });
+  return result;
+}
+
+template <class Vertex_handle>
+std::vector<Vector_of_doubles> positions_of(const std::vector<Vertex_handle>& vertices)
+{
+  std::vector<Vector_of_doubles> result(vertices.size());
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    result[i] = {CGAL::to_double(vertices[i]->point().x()), CGAL::to_double(vertices[i]->point().y())};
+  return result;
+}
+
 // Moves the free vertices of a mesh in place. A vertex whose move would invert
 // a face goes only a part of its way; afterwards the criterion of the
 // triangulation is restored by flips.
@@ -31,30 +59,13 @@ class Vertex_mover
 
 public:
   explicit Vertex_mover(Mesh& mesh)
-    : m_mesh(mesh)
-  {
-    std::vector<bool> is_free(mesh.number_of_vertices(), true);
-    for(auto f = mesh.all_faces_begin(); f != mesh.all_faces_end(); ++f)
-      for(int i = 0; i < 3; ++i)
-        if(!mesh.is_infinite(f->vertex(i)) && (f->is_constrained(Mesh::ccw(i)) || !f->is_in_domain()))
-          is_free[f->vertex(i)->index()] = false;
-    for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
-      if(is_free[v->index()])
-        m_free.push_back(v);
-    std::sort(m_free.begin(), m_free.end(),
-              [](Vertex_handle v, Vertex_handle w) { return v->index() < w->index(); });
-  }
+    : m_mesh(mesh), m_free(internal::free_vertices(mesh))
+  {}
 
   // the vertices that may move, in the order of their indices
   const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
 
-  std::vector<Vector_of_doubles> positions() const
-  {
-    std::vector<Vector_of_doubles> result(m_free.size());
-    for(std::size_t i = 0; i < m_free.size(); ++i)
-      result[i] = {CGAL::to_double(m_free[i]->point().x()), CGAL::to_double(m_free[i]->point().y())};
-    return result;
-  }
+  std::vector<Vector_of_doubles> positions() const { return positions_of(m_free); }
 
   // Moves the free vertices towards `target`; they end there or, where faces
   // would turn over, on the way.
@@ -136,10 +147,11 @@ private:
 
   void restore_criterion()
   {
-    std::vector<Edge> edges;
-    for(auto e = m_mesh.finite_edges_begin(); e != m_mesh.finite_edges_end(); ++e)
-      if(e->first->is_in_domain())
-        edges.push_back(*e);
+    std::vector<Edge> edges; // each from the side where its vertices are in the order of their indices
+    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
+      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
+        if(f->vertex(Mesh::ccw(i))->index() < f->vertex(Mesh::cw(i))->index())
+          edges.push_back(Edge(f, i));
     m_mesh.restore_local_criterion(std::move(edges));
   }
 

@@ -87,7 +87,6 @@ public:
     skip_blanks(false);
     m_one_line = true;
   }
-  void end_lines() { m_one_line = false; }
 
   std::string_view word(const char* expected)
   {
@@ -174,7 +173,7 @@ public:
   {
     std::string item;
     if(m_kind != nullptr)
-      item = m_kind + (m_total == 0 ? std::string() : ' ' + std::to_string(m_index) + " of " + std::to_string(m_total)) + ": ";
+      item = m_kind + (m_total == 0 ? "" : ' ' + std::to_string(m_index) + " of " + std::to_string(m_total)) + ": ";
     throw Mesh_io_exception(m_file, line(), item + what);
   }
 

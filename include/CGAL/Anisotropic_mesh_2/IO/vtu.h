@@ -1,0 +1,59 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_IO_VTU_H
+#define CGAL_ANISOTROPIC_MESH_2_IO_VTU_H
+
+#include <CGAL/Anisotropic_mesh_2/IO/internal/domain_graph.h>
+#include <CGAL/Anisotropic_mesh_2/IO/internal/Vtu_view.h>
+#include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
+#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
+
+#include <CGAL/IO/io.h>
+#include <CGAL/IO/write_VTU.h>
+
+#include <ostream>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/// \addtogroup PkgAnisotropicMesh2IO
+/// @{
+
+/// writes the domain of a triangulation in the format of VTK (`.vtu`), with
+/// `z = 0`: its faces, counterclockwise, and as line cells the edges that are
+/// constrained or bound the domain. Other than `CGAL::IO::write_VTU()`, which does the writing,
+/// it leaves out what lies outside of the domain.
+///
+/// \tparam Tr a constrained triangulation of \cgal whose faces have a member
+/// `bool is_in_domain() const`
+template <class Tr>
+void write_vtu(std::ostream& os, const Tr& tr, Mode mode = BINARY)
+{
+  const auto no_reference = [](const typename Tr::Edge&) { return 0; };
+  const Anisotropic_mesh_2::internal::Vtu_view view(
+    Anisotropic_mesh_2::internal::domain_graph(tr, no_reference));
+  const std::streamsize precision = os.precision(17);
+  CGAL::IO::write_VTU(os, view, mode);
+  os.precision(precision);
+}
+
+/// writes to a file, which appears under its name only when it is complete.
+/// \throw Mesh_io_exception if the file cannot be written.
+template <class Tr>
+void write_vtu(const std::string& file, const Tr& tr, Mode mode = BINARY)
+{
+  Anisotropic_mesh_2::internal::write_safely(
+    file, [&](std::ostream& os) { CGAL::IO::write_vtu(os, tr, mode); });
+}
+
+/// @}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_IO_VTU_H

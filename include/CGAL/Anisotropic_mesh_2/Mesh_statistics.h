@@ -1,0 +1,78 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H
+#define CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H
+
+#include <cstddef>
+#include <ostream>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// figures of how good a mesh is in its metric.
+struct Mesh_statistics
+{
+  std::size_t vertices = 0;            ///< of the domain
+  std::size_t triangles = 0;           ///< of the domain
+  double ideal_vertices = 0;           ///< what a unit mesh has: \f$ 2/\sqrt 3 \f$ times the area in the metric
+  double edge_length_mean = 0;         ///< Riemannian lengths of edges
+  double edge_length_min = 0;
+  double edge_length_max = 0;
+  double edge_length_unit_share = 0;   ///< the share of edges with lengths in \f$ [\sqrt{1/2}, \sqrt 2] \f$
+  double quality_mean = 0;             ///< \f$ 4 \sqrt 3 \sqrt{\det M} |T| / \sum_i e_i^T M e_i \f$, `M` at the barycentre
+  double quality_min = 0;
+  double quality_min3_mean = 0;        ///< the least of the three qualities with `M` at the vertices
+  double quality_min3_min = 0;
+  double energy = 0;                   ///< of the anisotropic Voronoi tessellation
+  double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect
+  double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre
+
+  /// calls `visit(name, value)` for each figure in the order above.
+  template <class Visit>
+  void for_each(const Visit& visit) const
+  {
+    visit("vertices", vertices);
+    visit("triangles", triangles);
+    visit("ideal_vertices", ideal_vertices);
+    visit("edge_length_mean", edge_length_mean);
+    visit("edge_length_min", edge_length_min);
+    visit("edge_length_max", edge_length_max);
+    visit("edge_length_unit_share", edge_length_unit_share);
+    visit("quality_mean", quality_mean);
+    visit("quality_min", quality_min);
+    visit("quality_min3_mean", quality_min3_mean);
+    visit("quality_min3_min", quality_min3_min);
+    visit("energy", energy);
+    visit("energy_ratio", energy_ratio);
+    visit("gradient_norm", gradient_norm);
+  }
+
+  /// writes one line per figure.
+  friend std::ostream& operator<<(std::ostream& os, const Mesh_statistics& s)
+  {
+    s.for_each([&](const char* name, const auto& value) { os << name << ": " << value << '\n'; });
+    return os;
+  }
+
+  /// writes the figures as a flat JSON object.
+  void write_json(std::ostream& os) const
+  {
+    const char* separator = "{\n  ";
+    for_each([&](const char* name, const auto& value) {
+      os << separator << '"' << name << "\": " << value;
+      separator = ",\n  ";
+    });
+    os << "\n}\n";
+  }
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H

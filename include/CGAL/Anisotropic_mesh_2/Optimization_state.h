@@ -1,0 +1,40 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_OPTIMIZATION_STATE_H
+#define CGAL_ANISOTROPIC_MESH_2_OPTIMIZATION_STATE_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// what an optimizer reports to its visitor after every iteration.
+struct Optimization_state
+{
+  std::size_t iteration = 0;    ///< how many iterations are done
+  std::size_t evaluations = 0;  ///< how many times the energy was evaluated
+  double energy = 0;            ///< of the tessellation of the present vertices
+  double largest_move = 0;      ///< the largest metric length of a Lloyd move, from a vertex to its mass centre
+  double displacement = 0;      ///< the `D` of the paper: the sum of the squared Euclidean lengths of the Lloyd moves
+  double seconds = 0;           ///< real time since the start
+};
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the visitor that optimizers use unless another one is given: it lets them run.
+struct Default_optimization_visitor
+{
+  /// is called after every iteration; returning `false` stops the optimizer.
+  bool iteration(const Optimization_state&) const { return true; }
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_OPTIMIZATION_STATE_H

@@ -1,0 +1,159 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHORD_CONFLICTS_2_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHORD_CONFLICTS_2_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Chord_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/exact_predicates.h>
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// Finds what is wrong with a chord graph: chords that meet elsewhere than in
+// common end points, and points of other pieces between a curve and its chord,
+// which would change sides. All decisions are exact; the area between a curve
+// and its chord is that of a polygon through seven more points of the curve.
+template <class K>
+class Chord_conflicts_2
+{
+public:
+  typedef Chord_graph_2<K>                         Graph;
+  typedef typename Graph::Chord                    Chord;
+  typedef std::vector<Domain_piece_2<K> >          Pieces;
+  typedef std::vector<std::vector<double> >        Parameters;
+  typedef std::pair<std::size_t, std::size_t>      Pair;    // chords, or a chord and a point
+
+  Chord_conflicts_2(const Graph& graph, const Pieces& pieces, const Parameters& parameters)
+    : m_graph(graph), m_pieces(pieces), m_parameters(parameters)
+  {
+    for(const auto& p : graph.points())
+      m_points.push_back(exact_point<K>(p));
+    find_meeting_chords();
+    find_enclosed_points();
+  }
+
+  const std::vector<Pair>& meeting_chords() const { return m_meeting; }
+  const std::vector<Pair>& enclosed_points() const { return m_enclosed; }
+
+private:
+  typedef Exact_predicates_kernel_of<K>                             Exact;
+  typedef typename Exact::Point_2                                   Exact_point;
+  typedef typename Exact::Segment_2                                 Exact_segment;
+  typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t> Box;
+  static constexpr std::size_t parts_of_curve = 8;
+
+  static Box box(const Bbox_2& b, std::size_t i) { return Box(b, i); }
+
+  Exact_segment segment(const Chord& c) const { return Exact_segment(m_points[c.source], m_points[c.target]); }
+
+  void find_meeting_chords()
+  {
+    std::vector<Box> boxes;
+    for(std::size_t i = 0; i < m_graph.chords().size(); ++i)
+      boxes.push_back(box(segment(m_graph.chords()[i]).bbox(), i));
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [this](const Box& a, const Box& b) {
+      if(meet_wrongly(m_graph.chords()[a.info()], m_graph.chords()[b.info()]))
+        m_meeting.push_back(std::minmax(a.info(), b.info()));
+    });
+    std::sort(m_meeting.begin(), m_meeting.end());
+  }
+
+  bool meet_wrongly(const Chord& a, const Chord& b) const
+  {
+    const bool source_shared = a.source == b.source || a.source == b.target;
+    const bool target_shared = a.target == b.source || a.target == b.target;
+    if(!source_shared && !target_shared)
+      return typename Exact::Do_intersect_2()(segment(a), segment(b));
+    if(source_shared && target_shared)
+      return true;
+    const std::size_t shared = source_shared ? a.source : a.target;
+    return overlap(shared, a.source + a.target - shared, b.source + b.target - shared);
+  }
+
+  // tells whether the chords from o to p and from o to q have the same direction
+  bool overlap(std::size_t o, std::size_t p, std::size_t q) const
+  {
+    return typename Exact::Orientation_2()(m_points[o], m_points[p], m_points[q]) == COLLINEAR
+        && !typename Exact::Collinear_are_strictly_ordered_along_line_2()(m_points[p], m_points[o], m_points[q]);
+  }
+
+  typedef std::array<Exact_point, parts_of_curve + 1> Ring;
+
+  Ring ring(const Chord& c) const
+  {
+    const double t0 = m_parameters[c.piece][c.part], t1 = m_parameters[c.piece][c.part + 1];
+    Ring points;
+    points.front() = m_points[c.source];
+    points.back() = m_points[c.target];
+    for(std::size_t k = 1; k < parts_of_curve; ++k)
+      points[k] = exact_point<K>(m_pieces[c.piece].curve.point(t0 + double(k)/parts_of_curve * (t1 - t0)));
+    return points;
+  }
+
+  void find_enclosed_points()
+  {
+    std::vector<Box> rings, points;
+    for(std::size_t i = 0; i < m_graph.chords().size(); ++i) {
+      const Chord& c = m_graph.chords()[i];
+      if(m_pieces[c.piece].curve.is_straight())
+        continue;
+      Bbox_2 bounds;
+      for(const Exact_point& p : ring(c))
+        bounds += p.bbox();
+      rings.push_back(box(bounds, i));
+    }
+    if(rings.empty())
+      return;
+    for(std::size_t i = 0; i < m_points.size(); ++i)
+      points.push_back(box(m_points[i].bbox(), i));
+    CGAL::box_intersection_d(rings.begin(), rings.end(), points.begin(), points.end(),
+                             [this](const Box& r, const Box& p) {
+      const Chord& c = m_graph.chords()[r.info()];
+      if(p.info() != c.source && p.info() != c.target && encloses(ring(c), m_points[p.info()]))
+        m_enclosed.push_back(Pair(r.info(), p.info()));
+    });
+    std::sort(m_enclosed.begin(), m_enclosed.end());
+  }
+
+  // counts the edges that a ray to the right crosses
+  static bool encloses(const Ring& ring, const Exact_point& p)
+  {
+    bool inside = false;
+    for(std::size_t i = 0; i < ring.size(); ++i) {
+      Exact_point a = ring[i], b = ring[(i+1) % ring.size()];
+      if((a.y() > p.y()) == (b.y() > p.y()))
+        continue;
+      if(a.y() > b.y())
+        std::swap(a, b);
+      inside ^= typename Exact::Orientation_2()(a, b, p) == LEFT_TURN;
+    }
+    return inside;
+  }
+
+  const Graph&             m_graph;
+  const Pieces&            m_pieces;
+  const Parameters&        m_parameters;
+  std::vector<Exact_point> m_points;
+  std::vector<Pair>        m_meeting, m_enclosed;
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHORD_CONFLICTS_2_H

@@ -1,0 +1,50 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_PIECE_2_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_PIECE_2_H
+
+#include <CGAL/Curve_piece_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+enum class Piece_role
+{
+  BOUNDARY,
+  CONSTRAINT, // an inner curve
+  OPEN_CHAIN, // edges of a graph on no cycle: an inner curve if inside, else a boundary that is open
+  CANCELED    // two boundary pieces in the same place: an inner curve if inside, else nothing
+};
+
+template <class K>
+struct Domain_piece_2
+{
+  Curve_piece_2<K> curve;
+  Piece_role       role;
+  std::size_t      number; // for messages, counted from 1; 0 for none
+};
+
+template <class K>
+std::string describe(const Domain_piece_2<K>& piece)
+{
+  std::string text = piece.curve.is_straight() ? "the segment " : "the curve ";
+  if(piece.number > 0)
+    text += std::to_string(piece.number) + " ";
+  return text + "from " + describe(piece.curve.source()) + " to " + describe(piece.curve.target());
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_PIECE_2_H

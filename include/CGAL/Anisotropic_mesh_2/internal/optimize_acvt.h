@@ -1,0 +1,56 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZE_ACVT_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZE_ACVT_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Acvt_optimizer.h>
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
+#include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
+#include <CGAL/Anisotropic_mesh_2/parameters.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// Reads the named parameters that both optimizers share, sets up an optimizer
+// with the given way to move vertices, and runs `method` on it.
+template <class Mover, class Mesh, class Method, class NamedParameters>
+Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+
+  Stopping_criteria criteria;
+  criteria.number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
+                                                   criteria.number_of_iterations);
+  criteria.time_limit = choose_parameter(get_parameter(np, internal_np::maximum_running_time), criteria.time_limit);
+  criteria.convergence = choose_parameter(get_parameter(np, convergence_t()), criteria.convergence);
+  CGAL_precondition(criteria.time_limit >= 0);
+  CGAL_precondition(criteria.convergence >= 0);
+  const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
+
+  Default_optimization_visitor default_visitor;
+  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  typedef std::remove_reference_t<decltype(visitor)> Visitor;
+
+  Acvt_energy<Mesh> energy(mesh, measure);
+  Mover mover(mesh);
+  Acvt_optimizer<Mesh, Acvt_energy<Mesh>, Mover, Visitor> optimizer(energy, mover, criteria, visitor);
+  return method(optimizer);
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZE_ACVT_H

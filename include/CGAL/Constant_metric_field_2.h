@@ -1,0 +1,39 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_CONSTANT_METRIC_FIELD_2_H
+#define CGAL_CONSTANT_METRIC_FIELD_2_H
+
+#include <CGAL/Metric_tensor_2.h>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the metric field that has the same tensor everywhere.
+///
+/// \tparam K a model of `Kernel`
+/// \cgalModels{MetricField_2}
+template <class K>
+class Constant_metric_field_2
+{
+public:
+  typedef typename K::Point_2   Point_2;
+  typedef Metric_tensor_2<K>    Metric_tensor;
+
+  /// the field with the tensor `m`.
+  explicit Constant_metric_field_2(const Metric_tensor& m = Metric_tensor()) : m_tensor(m) {}
+
+  /// returns the tensor.
+  const Metric_tensor& operator()(const Point_2&) const { return m_tensor; }
+
+private:
+  Metric_tensor m_tensor;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_CONSTANT_METRIC_FIELD_2_H

@@ -1,0 +1,77 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_LLOYD_OPTIMIZE_ANISOTROPIC_MESH_2_H
+#define CGAL_LLOYD_OPTIMIZE_ANISOTROPIC_MESH_2_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/optimize_acvt.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vertex_reinserter.h>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// moves the vertices of a mesh to the mass centres of their anisotropic
+/// Voronoi regions, again and again (section 4 of \cgalCite{dw-acvt-05}).
+///
+/// After each iteration all vertices are inserted anew into the stored empty
+/// mesh. Vertices on constrained edges stay where they are. Vertices keep their
+/// indices, handles to vertices and faces do not stay valid.
+///
+/// `acvt_optimize_mesh_2()` reaches the same energy in a fraction of the
+/// iterations; this function is the reference.
+///
+/// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
+/// \tparam NamedParameters a sequence of named parameters
+/// \param mesh the mesh, with its domain marked.
+/// \param np an optional sequence of named parameters among those listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of iterations; 0 for none}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{convergence}
+///     \cgalParamDescription{the iteration stops when no vertex is farther from
+///       the mass centre of its region than this, measured in the tensor of the vertex}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0.001, a thousandth of the ideal length of an edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{real time in seconds after which no new iteration begins; 0 for no limit}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{measure}
+///     \cgalParamDescription{the measure of energies and mass centres}
+///     \cgalParamType{`Anisotropic_mesh_2::Measure`}
+///     \cgalParamDefault{`RIEMANNIAN`, whose optimum has edges of unit length}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{an object whose member `bool iteration(const Anisotropic_mesh_2::Optimization_state&)`
+///       is called after each iteration, and once before the first; `false` stops the optimizer}
+///     \cgalParamType{any class with that member}
+///     \cgalParamDefault{`Anisotropic_mesh_2::Default_optimization_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return why it stopped: `CONVERGENCE_REACHED`, `MAX_ITERATION_NUMBER_REACHED`,
+/// `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
+/// `ALL_VERTICES_FROZEN` if no vertex is free to move. The mesh is valid in each case.
+/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
+Mesh_optimization_return_code
+lloyd_optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  namespace internal = Anisotropic_mesh_2::internal;
+  return internal::optimize_acvt<internal::Vertex_reinserter<Mesh> >
+    (mesh, [](auto& optimizer) { return optimizer.lloyd(); }, np);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_LLOYD_OPTIMIZE_ANISOTROPIC_MESH_2_H

@@ -1,0 +1,111 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_MAKE_ANISOTROPIC_MESH_2_H
+#define CGAL_MAKE_ANISOTROPIC_MESH_2_H
+
+#include <CGAL/Anisotropic_Delaunay_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/Constant_metric_field_2.h>
+#include <CGAL/Invalid_domain_exception.h>
+#include <CGAL/Metric_tensor_2.h>
+#include <CGAL/refine_anisotropic_mesh_2.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Boundary_unit_mesher.h>
+#include <CGAL/Anisotropic_mesh_2/parameters.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+template <class Mesh>
+void insert_boundary(Mesh& mesh, const typename Mesh::Boundary_mesh& boundary)
+{
+  try {
+    mesh.insert_boundary(boundary);
+  }
+  catch(const typename Mesh::Intersection_of_constraints_exception&) {
+    throw Invalid_domain_exception("the boundary curves or the constraints of the domain cross each other");
+  }
+  if(mesh.number_of_faces_in_domain() == 0)
+    throw Invalid_domain_exception("the boundary of the domain encloses no area");
+}
+
+// Refuses a metric that asks for too many vertices before the boundary is
+// subdivided: the metric is integrated over the domain as its bare points give it.
+template <class Mesh, class Domain>
+void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_traits& traits, std::size_t limit)
+{
+  typedef typename Mesh::Kernel Kernel;
+  const Constant_metric_field_2<Kernel> coarse(Metric_tensor_2<Kernel>::from_size(1e100));
+  Mesh mesh(traits);
+  insert_boundary(mesh, unit_boundary_mesh(domain, coarse, limit, true));
+  check_ideal_number_of_vertices(mesh, limit);
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// generates a unit mesh of a planar domain under a metric field (section 3.2
+/// of \cgalCite{dw-acvt-05}).
+///
+/// The curves of the boundary and the inner constraints are divided into parts
+/// of equal Riemannian length close to 1, their end points kept. Of these edges
+/// the empty mesh is built, and `refine_anisotropic_mesh_2()` fills it.
+/// The result is what the optimizers `acvt_optimize_mesh_2()` and
+/// `lloyd_optimize_anisotropic_mesh_2()` start from.
+///
+/// \tparam K a model of `Kernel`, for example `Exact_predicates_inexact_constructions_kernel`.
+/// \tparam MetricField a model of `MetricField_2`, for example a lambda from
+/// `K::Point_2` to `Metric_tensor_2<K>`.
+/// \tparam NamedParameters a sequence of named parameters
+/// \param domain the domain.
+/// \param field the metric field, defined on the domain.
+/// \param np an optional sequence of named parameters, those of
+/// `refine_anisotropic_mesh_2()` and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{keep_boundary_points}
+///     \cgalParamDescription{whether straight pieces of the boundary are taken as edges of the mesh as they are}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Invalid_domain_exception if the domain is not valid; the message names the place.
+/// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
+/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \return the mesh, an `Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >`.
+template <class K, class MetricField, class CGAL_NP_TEMPLATE_PARAMETERS>
+Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >
+make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const MetricField& field,
+                        const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  namespace internal = Anisotropic_mesh_2::internal;
+  typedef Riemannian_metric_traits_2<K, MetricField> Traits;
+  typedef Anisotropic_Delaunay_mesh_2<Traits>        Mesh;
+
+  const std::size_t limit = choose_parameter<std::size_t>
+    (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
+  const bool keep_points = choose_parameter(get_parameter(np, internal::keep_boundary_points_t()), false);
+
+  const Traits traits(field);
+  internal::check_metric_of_domain<Mesh>(domain, traits, limit);
+  Mesh mesh(traits);
+  internal::insert_boundary(mesh, internal::unit_boundary_mesh(domain, field, limit, keep_points));
+  refine_anisotropic_mesh_2(mesh, np);
+  return mesh;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_ANISOTROPIC_MESH_2_H

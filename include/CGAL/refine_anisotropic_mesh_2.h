@@ -1,0 +1,71 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_REFINE_ANISOTROPIC_MESH_2_H
+#define CGAL_REFINE_ANISOTROPIC_MESH_2_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Field_point_inserter.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/parameters.h>
+#include <CGAL/Anisotropic_mesh_2/Point_placement.h>
+#include <CGAL/Too_many_vertices_exception.h>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// inserts field points into the domain of a mesh until its edges have about
+/// unit length in the metric (section 3.2 of \cgalCite{dw-acvt-05}).
+///
+/// New vertices keep a distance of \f$ \sqrt 2/2 \f$ in the metric from all
+/// others; interior edges longer than \f$ \sqrt 2 \f$ are subdivided as far as
+/// that distance allows. Constrained edges stay as they are. The cost is
+/// proportional to the number of vertices, apart from the location of the first ones.
+///
+/// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
+/// \tparam NamedParameters a sequence of named parameters
+/// \param mesh the mesh, whose faces know whether they are in the domain.
+/// \param np an optional sequence of named parameters among those listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{maximum_number_of_vertices}
+///     \cgalParamDescription{the number of vertices that the mesh must not exceed}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{10000000}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{point_placement}
+///     \cgalParamDescription{where the points come from}
+///     \cgalParamType{`Anisotropic_mesh_2::Point_placement`}
+///     \cgalParamDefault{`ADVANCING_FRONT`, which leaves far fewer irregular vertices}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Too_many_vertices_exception if the metric asks for more vertices than
+/// allowed; an estimate tells that before the first insertion.
+/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \return the number of vertices inserted.
+template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t refine_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  namespace internal = Anisotropic_mesh_2::internal;
+  const std::size_t limit = choose_parameter<std::size_t>
+    (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
+  const auto placement = choose_parameter
+    (get_parameter(np, internal::point_placement_t()), Anisotropic_mesh_2::Point_placement::ADVANCING_FRONT);
+
+  internal::check_ideal_number_of_vertices(mesh, limit);
+  const std::size_t before = mesh.number_of_vertices();
+  internal::Field_point_inserter<Mesh>(mesh, limit)(placement);
+  return mesh.number_of_vertices() - before;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_REFINE_ANISOTROPIC_MESH_2_H

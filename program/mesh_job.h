@@ -1,0 +1,121 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H
+#define ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H
+
+#include "Metric_field.h"
+#include "Options.h"
+#include "Progress.h"
+#include "builtin_domains.h"
+
+#include <CGAL/Anisotropic_Delaunay_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
+#include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
+#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/anisotropic_mesh_statistics_2.h>
+#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
+#include <CGAL/make_anisotropic_mesh_2.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
+
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+// Everything that the program asks of the mesher and the optimizers.
+namespace program {
+
+typedef CGAL::Riemannian_metric_traits_2<Kernel, Metric_field>  Traits;
+typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits>               Mesh;
+
+// What statistics of the mesh alone do not tell.
+struct Run_report
+{
+  std::size_t iterations = 0;
+  std::string stop_reason = "no optimizer";
+  double      seconds_mesh = 0, seconds_optimize = 0;
+};
+
+inline CGAL::Anisotropic_mesh_2::Measure measure_of(const Options& options)
+{
+  return options.measure == Measure::RIEMANNIAN ? CGAL::Anisotropic_mesh_2::Measure::RIEMANNIAN
+                                                : CGAL::Anisotropic_mesh_2::Measure::LEBESGUE;
+}
+
+inline Mesh make_mesh(const Domain_with_metric& input, const Options& options, Run_report& report)
+{
+  namespace np = CGAL::Anisotropic_mesh_2::parameters;
+  CGAL::Real_timer timer;
+  timer.start();
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(input.domain, input.metric,
+                                            np::keep_boundary_points(options.keep_boundary));
+  report.seconds_mesh = timer.time();
+  return mesh;
+}
+
+// Follows an optimizer: progress to the user, the count to the report.
+class Progress_visitor
+{
+public:
+  Progress_visitor(Progress& progress, Run_report& report) : m_progress(&progress), m_report(&report) {}
+
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& state) const
+  {
+    m_report->iterations = state.iteration;
+    std::ostringstream line;
+    line << "iteration " << state.iteration << ", energy " << state.energy << ", largest move "
+         << state.largest_move << ", " << state.seconds << " s";
+    m_progress->update(line.str());
+    return true;
+  }
+
+private:
+  Progress*   m_progress;
+  Run_report* m_report;
+};
+
+inline std::string name_of(CGAL::Mesh_optimization_return_code code)
+{
+  switch(code) {
+  case CGAL::TIME_LIMIT_REACHED:           return "time limit";
+  case CGAL::CANT_IMPROVE_ANYMORE:         return "no more improvement";
+  case CGAL::CONVERGENCE_REACHED:          return "convergence";
+  case CGAL::MAX_ITERATION_NUMBER_REACHED: return "number of iterations";
+  case CGAL::ALL_VERTICES_FROZEN:          return "all vertices frozen";
+  default:                                 return "failure of the optimizer";
+  }
+}
+
+inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run_report& report)
+{
+  if(options.optimizer == Optimizer::NONE)
+    return;
+  namespace np = CGAL::Anisotropic_mesh_2::parameters;
+  const auto parameters = np::convergence(options.tolerance, np::measure(measure_of(options)))
+    .number_of_iterations(options.iterations)
+    .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
+    .visitor(Progress_visitor(progress, report));
+  CGAL::Real_timer timer;
+  timer.start();
+  const CGAL::Mesh_optimization_return_code code = options.optimizer == Optimizer::LLOYD
+    ? CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, parameters)
+    : CGAL::acvt_optimize_mesh_2(mesh, parameters);
+  report.seconds_optimize = timer.time();
+  report.stop_reason = name_of(code);
+}
+
+inline auto statistics(const Mesh& mesh, const Options& options)
+{
+  return CGAL::anisotropic_mesh_statistics_2(mesh, measure_of(options));
+}
+
+} // namespace program
+
+#endif // ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H

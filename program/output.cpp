@@ -1,0 +1,106 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#include "output.h"
+
+#include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
+#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
+#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
+#include <CGAL/Anisotropic_mesh_2/IO/off.h>
+#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/vtu.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+namespace program {
+
+namespace {
+
+typedef CGAL::Anisotropic_mesh_2::Safe_output_file  Safe_output_file;
+typedef nlohmann::ordered_json                      Json;
+
+void check_output(const std::string& option, const std::string& path)
+{
+  try {
+    Safe_output_file unused(path);
+  }
+  catch(const CGAL::Mesh_io_exception& e) {
+    throw Unusable_input(option + " " + e.what());
+  }
+}
+
+void write_mesh(const Mesh& mesh, const Output& output)
+{
+  switch(output.format) {
+  case File_format::MESH: return CGAL::IO::write_medit(output.path, mesh);
+  case File_format::VTU:  return CGAL::IO::write_vtu(output.path, mesh);
+  case File_format::OFF:  return CGAL::IO::write_off(output.path, mesh);
+  case File_format::SVG:  return CGAL::IO::write_SVG(output.path, mesh);
+  }
+}
+
+Json statistics_of(const Mesh& mesh, const Options& options, const Run_report& report)
+{
+  Json json;
+  statistics(mesh, options).for_each([&](const char* name, const auto& value) { json[name] = value; });
+  json["iterations"] = report.iterations;
+  json["stop_reason"] = report.stop_reason;
+  json["seconds_mesh"] = report.seconds_mesh;
+  json["seconds_optimize"] = report.seconds_optimize;
+  return json;
+}
+
+// JSON has no word for what is not finite.
+void check_finite(const Json& statistics)
+{
+  for(const auto& entry : statistics.items())
+    if(entry.value().is_number_float() && !std::isfinite(entry.value().get<double>()))
+      throw std::runtime_error("the statistics are not finite: " + entry.key());
+}
+
+void write_statistics(const std::string& path, const Json& statistics)
+{
+  check_finite(statistics);
+  const std::string text = statistics.dump(2) + "\n";
+  if(path == "-") {
+    std::cout << text << std::flush;
+    if(!std::cout)
+      throw std::runtime_error("standard output: cannot be written");
+    return;
+  }
+  Safe_output_file file(path);
+  file.stream() << text;
+  file.commit();
+}
+
+} // namespace
+
+void check_outputs(const Options& options)
+{
+  for(const Output& output : options.meshes)
+    check_output("-o", output.path);
+  if(!options.voronoi.empty())
+    check_output("--voronoi", options.voronoi);
+  if(!options.stats.empty() && options.stats != "-")
+    check_output("--stats", options.stats);
+}
+
+void write_outputs(const Mesh& mesh, const Options& options, const Run_report& report)
+{
+  for(const Output& output : options.meshes)
+    write_mesh(mesh, output);
+  if(!options.voronoi.empty())
+    CGAL::IO::write_tessellation_SVG(options.voronoi, mesh);
+  if(!options.stats.empty())
+    write_statistics(options.stats, statistics_of(mesh, options, report));
+}
+
+} // namespace program

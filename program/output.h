@@ -1,0 +1,23 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef ANISOTROPIC_MESH_2_PROGRAM_OUTPUT_H
+#define ANISOTROPIC_MESH_2_PROGRAM_OUTPUT_H
+
+#include "Options.h"
+#include "mesh_job.h"
+
+namespace program {
+
+// Throws Unusable_input if an output file cannot be created, so that this is
+// known before the work.
+void check_outputs(const Options& options);
+
+void write_outputs(const Mesh& mesh, const Options& options, const Run_report& report);
+
+} // namespace program
+
+#endif // ANISOTROPIC_MESH_2_PROGRAM_OUTPUT_H

@@ -1,0 +1,926 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+// The generalized constrained Delaunay kernel: equal to CGAL's triangulations
+// where the metric is constant or isotropic, valid with any metric.
+
+#include "include/check.h"
+#include "include/Random_numbers.h"
+
+#include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel   Epick;
+typedef CGAL::Exact_predicates_exact_constructions_kernel     Epeck;
+typedef CGAL::Simple_cartesian<CGAL::Exact_rational>          Rational_kernel;
+typedef CGAL::Simple_cartesian<double>                        Double_kernel;
+
+const double pi = 3.14159265358979323846;
+
+template <class K>
+using Field = std::function<CGAL::Metric_tensor_2<K>(const typename K::Point_2&)>;
+
+template <class K>
+using Traits = CGAL::Riemannian_metric_traits_2<K, Field<K> >;
+
+template <class K>
+using Triangulation = CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Traits<K> >;
+
+template <class K>
+using Reference_triangulation
+  = CGAL::Constrained_Delaunay_triangulation_2<K, CGAL::Default,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+typedef std::pair<double, double>    XY;
+typedef std::pair<int, int>          Index_pair;
+
+// points, and segments between them that are constraints
+struct Input
+{
+  std::string             name;
+  std::vector<XY>         points;
+  std::vector<Index_pair> segments;
+};
+
+template <class K>
+typename K::Point_2 point(const XY& p) { return typename K::Point_2(p.first, p.second); }
+
+template <class K>
+std::vector<typename K::Point_2> points_of(const std::vector<XY>& input)
+{
+  std::vector<typename K::Point_2> result;
+  for(const XY& p : input)
+    result.push_back(point<K>(p));
+  return result;
+}
+
+// ---------------------------------------------------------------- metrics with a known flat picture
+
+// The plane is mapped by (a b; c d), and the metric is the one of the image.
+struct Flat_metric
+{
+  const char* name;
+  int a, b, c, d;
+  bool is_wild; // multiplied by a wild function, which changes no alpha
+
+  template <class K>
+  typename K::Point_2 operator()(const typename K::Point_2& p) const
+  {
+    return typename K::Point_2(a*p.x() + b*p.y(), c*p.x() + d*p.y());
+  }
+
+  template <class K>
+  Field<K> field() const
+  {
+    return [m = *this](const typename K::Point_2& p)
+    {
+      const double rho = m.is_wild ? wild(CGAL::to_double(p.x()), CGAL::to_double(p.y())) : 1;
+      return CGAL::Metric_tensor_2<K>::from_entries(rho * (m.a*m.a + m.c*m.c), rho * (m.a*m.b + m.c*m.d),
+                                                    rho * (m.b*m.b + m.d*m.d));
+    };
+  }
+
+  // a power of four between 1e-9 and 1e9 that jumps from point to point
+  static double wild(double x, double y)
+  {
+    std::uint64_t u, v;
+    std::memcpy(&u, &x, sizeof u);
+    std::memcpy(&v, &y, sizeof v);
+    const std::uint64_t hash = (u ^ (v * 0x9e3779b97f4a7c15u)) * 0xbf58476d1ce4e5b9u;
+    return std::ldexp(1., 2 * int((hash >> 40) % 31) - 30);
+  }
+};
+
+const Flat_metric euclidean = {"Euclidean", 1, 0, 0, 1, false};
+const Flat_metric stretched = {"stretched", 2, 0, 0, 1, false};
+const Flat_metric sheared   = {"sheared", 1, 3, 0, 1, false};
+const Flat_metric oblique   = {"oblique", 2, 1, 1, -3, false};
+const Flat_metric isotropic = {"isotropic, wild", 1, 0, 0, 1, true};
+const Flat_metric wild_and_stretched = {"stretched, wild", 2, 0, 0, 1, true};
+
+// ---------------------------------------------------------------- what is unique about a Delaunay triangulation
+
+template <class K>
+using Edge_picture = std::tuple<typename K::Point_2, typename K::Point_2, bool>;
+
+template <class T>
+bool is_on_hull(const T& t, const typename T::Edge& e)
+{
+  return t.dimension() < 2 || t.is_infinite(e.first) || t.is_infinite(e.first->neighbor(e.second));
+}
+
+// the in-circle test of the two faces of the edge, in the flat picture
+template <class K, class T>
+CGAL::Oriented_side side(const T& t, const typename T::Edge& e, const Flat_metric& map)
+{
+  const typename T::Edge m = t.mirror_edge(e);
+  const auto p = map.operator()<K>(e.first->vertex(0)->point());
+  const auto q = map.operator()<K>(e.first->vertex(1)->point());
+  const auto r = map.operator()<K>(e.first->vertex(2)->point());
+  const auto s = map.operator()<K>(m.first->vertex(m.second)->point());
+  return CGAL::orientation(p, q, r) == CGAL::LEFT_TURN ? CGAL::side_of_oriented_circle(p, q, r, s)
+                                                       : CGAL::side_of_oriented_circle(p, r, q, s);
+}
+
+// The edges that every constrained Delaunay triangulation has: those of the
+// hull, the constraints, and those that are strictly Delaunay.
+template <class K>
+struct Picture
+{
+  std::vector<Edge_picture<K> > edges;
+  long violations = 0, ambiguous = 0;
+};
+
+template <class K, class T>
+Picture<K> picture(const T& t, const Flat_metric& map)
+{
+  Picture<K> result;
+  for(auto e = t.finite_edges_begin(); e != t.finite_edges_end(); ++e) {
+    const bool constrained = t.is_constrained(*e);
+    const CGAL::Oriented_side s = constrained || is_on_hull(t, *e) ? CGAL::ON_NEGATIVE_SIDE : side<K>(t, *e, map);
+    result.violations += s == CGAL::ON_POSITIVE_SIDE;
+    result.ambiguous += s == CGAL::ON_ORIENTED_BOUNDARY;
+    if(s != CGAL::ON_NEGATIVE_SIDE)
+      continue;
+    auto p = map.operator()<K>(e->first->vertex(t.ccw(e->second))->point());
+    auto q = map.operator()<K>(e->first->vertex(t.cw(e->second))->point());
+    if(q < p)
+      std::swap(p, q);
+    result.edges.emplace_back(p, q, constrained);
+  }
+  std::sort(result.edges.begin(), result.edges.end());
+  return result;
+}
+
+// ---------------------------------------------------------------- points and constraints
+
+typedef std::function<XY(Random_numbers&)> Point_generator;
+
+Input make_input(const std::string& name, int n, const Point_generator& generator)
+{
+  Random_numbers random(7);
+  Input input{name, {}, {}};
+  for(int i = 0; i < n; ++i)
+    input.points.push_back(generator(random));
+  return input;
+}
+
+// rounded, so that all the linear maps above are exact
+double rounded(double x) { return std::ldexp(std::round(std::ldexp(x, 30)), -30); }
+
+Input grid(int n)
+{
+  Input input{"grid", {}, {}};
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      input.points.emplace_back(i, j);
+  Random_numbers(3).shuffle(input.points);
+  return input;
+}
+
+// the points with integer coordinates on a circle, and on its image under `stretched`
+Input cocircular()
+{
+  Input input{"cocircular", {{0, 0}, {1, 1}}, {}};
+  const int radius = 1105;
+  for(int x = -radius; x <= radius; ++x)
+    for(int y = -radius; y <= radius; ++y)
+      if(x*x + y*y == radius*radius) {
+        input.points.emplace_back(x, y);
+        input.points.emplace_back(x / 2., y);
+      }
+  Random_numbers(4).shuffle(input.points);
+  return input;
+}
+
+std::vector<Input> all_inputs()
+{
+  std::vector<Input> inputs;
+  inputs.push_back(make_input("random", 3000, [](Random_numbers& r) { const double x = r.real(0, 1); return XY(rounded(x), rounded(r.real(0, 1))); }));
+  inputs.push_back(make_input("clustered", 2000, [](Random_numbers& r)
+  {
+    const double size = r.power_of_ten(-7, 0), angle = r.real(0, 2*pi);
+    const int center = r.integer(4);
+    return XY(rounded(center + size * std::cos(angle)), rounded(size * std::sin(angle)));
+  }));
+  inputs.push_back(make_input("nearly cocircular", 600, [](Random_numbers& r)
+  {
+    const double angle = r.real(0, 2*pi);
+    return XY(rounded(std::cos(angle)), rounded(std::sin(angle)));
+  }));
+  inputs.push_back(make_input("nearly collinear", 600, [](Random_numbers& r)
+  {
+    const double x = r.real(0, 1);
+    return XY(rounded(x), rounded(x / 3 + (r.integer(4) == 0 ? 1e-9 * r.integer(3) : 0)));
+  }));
+  inputs.push_back(make_input("on few columns", 800, [](Random_numbers& r)
+  {
+    const int column = r.integer(5);
+    return XY(column, rounded(r.real(0, 1)));
+  }));
+  inputs.push_back(grid(30));
+  inputs.push_back(cocircular());
+  return inputs;
+}
+
+// segments that do not cross, but that may touch each other and pass through points
+std::vector<Index_pair> random_segments(const std::vector<XY>& points, int n)
+{
+  typedef Reference_triangulation<Epick> CDT;
+  Random_numbers random(11);
+  CDT scratch;
+  std::vector<Index_pair> segments;
+  for(int i = 0; i < n; ++i) {
+    const int a = random.integer(int(points.size())), b = random.integer(int(points.size()));
+    if(points[std::size_t(a)] == points[std::size_t(b)])
+      continue;
+    try {
+      scratch.insert_constraint(point<Epick>(points[std::size_t(a)]), point<Epick>(points[std::size_t(b)]));
+      segments.emplace_back(a, b);
+    }
+    catch(const CDT::Intersection_of_constraints_exception&) {}
+  }
+  return segments;
+}
+
+template <class T, class Point>
+void insert_segments(T& t, const std::vector<Point>& points, const std::vector<Index_pair>& segments)
+{
+  for(const Index_pair& s : segments)
+    t.insert_constraint(points[std::size_t(s.first)], points[std::size_t(s.second)]);
+}
+
+// ---------------------------------------------------------------- oracles 1 and 2
+
+enum Order { ONE_BY_ONE, RANGE, CONSTRAINTS_FIRST, BACKWARDS };
+
+template <class K>
+Triangulation<K> build(const Input& input, const Flat_metric& metric, Order order)
+{
+  Triangulation<K> t{Traits<K>(metric.field<K>())};
+  std::vector<typename K::Point_2> points = points_of<K>(input.points);
+  if(order == CONSTRAINTS_FIRST)
+    insert_segments(t, points, input.segments);
+  if(order == RANGE)
+    t.insert(points.begin(), points.end());
+  else if(order == BACKWARDS)
+    for(auto p = points.rbegin(); p != points.rend(); ++p)
+      t.insert(*p);
+  else
+    for(const auto& p : points)
+      t.insert(p);
+  insert_segments(t, points, input.segments);
+  return t;
+}
+
+template <class K>
+Picture<K> reference(const Input& input, const Flat_metric& metric)
+{
+  Reference_triangulation<K> t;
+  std::vector<typename K::Point_2> points = points_of<K>(input.points);
+  for(auto& p : points)
+    p = metric.operator()<K>(p);
+  t.insert(points.begin(), points.end());
+  insert_segments(t, points, input.segments);
+  return picture<K>(t, euclidean);
+}
+
+struct Totals { long triangulations = 0, vertices = 0, edges = 0, ambiguous = 0; };
+
+template <class K>
+void compare(const Input& input, const Flat_metric& metric, std::initializer_list<Order> orders, Totals& totals)
+{
+  const Picture<K> expected = reference<K>(input, metric);
+  for(Order order : orders) {
+    const std::string name = input.name + ", " + metric.name + ", order " + std::to_string(order);
+    const Triangulation<K> t = build<K>(input, metric, order);
+    const Picture<K> found = picture<K>(t, metric);
+    CHECK_MSG(t.is_valid(true), name);
+    CHECK_MSG(found.violations == 0, name);
+    CHECK_MSG(found.edges == expected.edges, name);
+    CHECK_MSG(found.ambiguous == expected.ambiguous, name);
+    ++totals.triangulations;
+    totals.vertices += long(t.number_of_vertices());
+    totals.edges += long(found.edges.size());
+    totals.ambiguous += found.ambiguous;
+  }
+}
+
+void test_flat_metrics()
+{
+  Totals totals;
+  for(Input input : all_inputs())
+    for(int n : {0, 40, 400}) {
+      input.segments = random_segments(input.points, n);
+      for(const Flat_metric& metric : {stretched, sheared, oblique, isotropic, wild_and_stretched})
+        compare<Epick>(input, metric, {ONE_BY_ONE, RANGE, CONSTRAINTS_FIRST, BACKWARDS}, totals);
+    }
+  std::cout << "flat metrics: " << totals.triangulations << " triangulations, " << totals.vertices << " vertices, "
+            << totals.edges << " edges compared, " << totals.ambiguous << " ambiguous" << std::endl;
+  CHECK(totals.ambiguous > 0);
+}
+
+template <class K>
+void test_flat_metrics_small()
+{
+  Totals totals;
+  for(Input input : all_inputs()) {
+    input.points.resize(std::min<std::size_t>(input.points.size(), 120));
+    input.segments = random_segments(input.points, 15);
+    compare<K>(input, sheared, {ONE_BY_ONE, RANGE, CONSTRAINTS_FIRST}, totals);
+    compare<K>(input, isotropic, {ONE_BY_ONE, RANGE, CONSTRAINTS_FIRST}, totals);
+  }
+}
+
+// coordinates with all their bits, for which multiplication by 2 is exact
+void test_flat_metrics_full_precision()
+{
+  Input circle = make_input("circle, all bits", 1500, [](Random_numbers& r)
+                            { const double a = r.real(0, 2*pi); return XY(std::cos(a), std::sin(a)); });
+  Input ellipse = make_input("ellipse, all bits, far away", 1500, [](Random_numbers& r)
+                             { const double a = r.real(0, 2*pi); return XY(1e3 + std::cos(a)/2, std::sin(a) - 1e4); });
+  Totals totals;
+  for(Input& input : std::vector<Input>{circle, ellipse})
+    for(double scale : {1., 1e-30, 1e30}) {
+      for(XY& p : input.points)
+        p = XY(p.first * scale, p.second * scale);
+      input.segments = random_segments(input.points, 20);
+      for(const Flat_metric& metric : {stretched, isotropic, wild_and_stretched})
+        compare<Epick>(input, metric, {ONE_BY_ONE, RANGE}, totals);
+      for(XY& p : input.points)
+        p = XY(p.first / scale, p.second / scale);
+    }
+}
+
+// ---------------------------------------------------------------- varying metrics
+
+typedef CGAL::Metric_tensor_2<Epick> Tensor;
+
+// fields with double tensors, for all kernels
+typedef std::function<Tensor(double, double)> Plain_field;
+
+template <class K>
+Field<K> field_of(const Plain_field& plain)
+{
+  return [plain](const typename K::Point_2& p)
+  {
+    const Tensor m = plain(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    return CGAL::Metric_tensor_2<K>(m, [](double x) { return typename K::FT(x); });
+  };
+}
+
+Tensor rotating(double x, double y)      { return Tensor::from_sizes(0.1, 1, 7*x + 11*y*y); }
+Tensor rotating_fast(double x, double y) { return Tensor::from_sizes(1e-4, 1, 300*x + 700*y); }
+Tensor layer(double x, double y)         { return Tensor::from_sizes(1e-4 + std::abs(x + y - 1), 1, 0.8); }
+Tensor graded(double x, double y)        { return Tensor::from_size(1e-3 + std::hypot(x - 0.5, y - 0.5)); }
+
+Tensor discontinuous(double x, double y)
+{
+  const int cell = int(std::floor(5*x)) + 3 * int(std::floor(5*y));
+  return Tensor::from_sizes(std::pow(10., -std::abs(cell) % 5), 1, cell);
+}
+
+// a different tensor at every point, of any size and direction, up to 10^8 : 1
+Tensor chaotic(double x, double y)
+{
+  Random_numbers random(unsigned(std::int64_t(x * 1e9) * 31 + std::int64_t(y * 1e9)));
+  const double h = random.power_of_ten(-3, 3), ratio = random.power_of_ten(0, 8);
+  return Tensor::from_sizes(h, h * ratio, random.real(0, pi));
+}
+
+const std::vector<std::pair<const char*, Plain_field> > varying_fields
+  = {{"rotating", rotating}, {"rotating fast", rotating_fast}, {"layer", layer}, {"graded", graded},
+     {"discontinuous", discontinuous}, {"chaotic", chaotic}};
+
+// no edge opposite to v is in conflict with it
+template <class T>
+bool has_no_conflict(const T& t, typename T::Vertex_handle v)
+{
+  if(t.dimension() < 2)
+    return true;
+  auto f = t.incident_faces(v), done = f;
+  do {
+    const int i = f->index(v);
+    const auto g = f->neighbor(i);
+    if(!t.is_infinite(f) && !t.is_infinite(g) && !f->is_constrained(i)
+       && t.is_in_conflict(g, v->point(), v->metric_tensor()))
+      return false;
+  } while(++f != done);
+  return true;
+}
+
+template <class T>
+bool has_its_tensors(const T& t)
+{
+  const auto tensor = t.geom_traits().construct_metric_tensor_2_object();
+  for(auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
+    if(v->metric_tensor() != tensor(v->point()))
+      return false;
+  return true;
+}
+
+// The boundary of a cavity is one closed chain that p sees from strictly inside,
+// it holds all the vertices of the cavity's faces, and no face beyond it is in conflict.
+template <class T>
+bool is_good_cavity(const T& t, const typename T::Point& p, const typename T::Metric_tensor_2& m,
+                    const typename T::Cavity& cavity)
+{
+  const auto& boundary = cavity.boundary;
+  bool good = boundary.size() == cavity.faces.size() + 2;
+  for(std::size_t i = 0; i < boundary.size(); ++i) {
+    const auto &e = boundary[i], &next = boundary[(i + 1) % boundary.size()];
+    const auto source = e.first->vertex(t.cw(e.second)), target = e.first->vertex(t.ccw(e.second));
+    good = good && target == next.first->vertex(t.cw(next.second))
+                && t.orientation(source->point(), target->point(), p) == CGAL::LEFT_TURN
+                && std::find(cavity.faces.begin(), cavity.faces.end(), e.first) == cavity.faces.end()
+                && (t.is_infinite(e.first) || e.first->is_constrained(e.second)
+                    || !t.is_in_conflict(e.first, p, m));
+  }
+  for(std::size_t i = 2; i < cavity.faces.size(); ++i) // the first may be there for containing p
+    good = good && t.is_in_conflict(cavity.faces[i], p, m);
+  return good;
+}
+
+struct Cavity_counts { long cavities = 0, faces = 0, largest = 0; };
+
+template <class T>
+void check_cavity(const T& t, const typename T::Point& p, Cavity_counts& counts)
+{
+  typename T::Locate_type lt;
+  int li;
+  const auto f = t.locate(p, lt, li);
+  const bool on_inner_edge = lt == T::EDGE && t.dimension() == 2 && !f->is_constrained(li)
+                             && !is_on_hull(t, typename T::Edge(f, li));
+  if(t.dimension() < 2 || (lt != T::FACE && !on_inner_edge))
+    return;
+  const auto m = t.geom_traits().construct_metric_tensor_2_object()(p);
+  typename T::Cavity cavity;
+  t.find_cavity(p, m, lt, f, li, cavity);
+  CHECK(is_good_cavity(t, p, m, cavity));
+  ++counts.cavities;
+  counts.faces += long(cavity.faces.size());
+  counts.largest = std::max(counts.largest, long(cavity.faces.size()));
+}
+
+// The same triangulation, but with vertices that come by splitting a face or an
+// edge and flipping what is in conflict.
+template <class T>
+struct Triangulation_by_flips : public T
+{
+  using T::T;
+
+  void insert_by_flips(const typename T::Point& p)
+  {
+    const auto before = this->number_of_vertices();
+    const auto v = T::Constrained_triangulation::insert(p);
+    if(this->number_of_vertices() == before)
+      return;
+    v->set_metric_tensor(this->geom_traits().construct_metric_tensor_2_object()(p));
+    bool flipped = this->dimension() == 2;
+    while(flipped)
+      flipped = flip_one(v);
+  }
+
+private:
+  bool flip_one(typename T::Vertex_handle v)
+  {
+    auto f = this->incident_faces(v), done = f;
+    do {
+      const int i = f->index(v);
+      const auto g = f->neighbor(i);
+      if(!this->is_infinite(f) && !this->is_infinite(g) && !f->is_constrained(i)
+         && this->is_in_conflict(g, v->point(), v->metric_tensor())) {
+        CHECK(this->is_flippable(f, i));
+        this->flip(f, i);
+        return true;
+      }
+    } while(++f != done);
+    return false;
+  }
+};
+
+// a sequence of points and constraints for varying metrics
+Input small_input(int n, int segments, bool on_grid)
+{
+  Random_numbers random(unsigned(n + segments));
+  Input input{"small", {}, {}};
+  for(int i = 0; i < n; ++i) {
+    const double x = random.real(0, 1), y = random.real(0, 1);
+    input.points.push_back(on_grid ? XY(std::round(8*x) / 8, std::round(8*y) / 8) : XY(x, y));
+  }
+  input.segments = random_segments(input.points, segments);
+  return input;
+}
+
+template <class T>
+std::vector<Edge_picture<typename T::Geom_traits::Kernel> > all_edges(const T& t)
+{
+  std::vector<Edge_picture<typename T::Geom_traits::Kernel> > result;
+  for(auto e = t.finite_edges_begin(); e != t.finite_edges_end(); ++e) {
+    auto p = e->first->vertex(t.ccw(e->second))->point(), q = e->first->vertex(t.cw(e->second))->point();
+    if(q < p)
+      std::swap(p, q);
+    result.emplace_back(p, q, t.is_constrained(*e));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// whether constrained edges lead straight from one point to the other
+template <class T>
+bool has_constraint(const T& t, const typename T::Point& from, const typename T::Point& to)
+{
+  auto v = t.finite_vertices_begin();
+  while(v != t.finite_vertices_end() && v->point() != from)
+    ++v;
+  typename T::Vertex_handle at = v;
+  while(at->point() != to) {
+    typename T::Vertex_handle next;
+    auto e = t.incident_edges(at), done = e;
+    do {
+      if(t.is_infinite(*e) || !t.is_constrained(*e))
+        continue;
+      const auto w = e->first->vertex(e->first->vertex(t.cw(e->second)) == at ? t.ccw(e->second) : t.cw(e->second));
+      if(w->point() == to || CGAL::collinear_are_strictly_ordered_along_line(at->point(), w->point(), to))
+        next = w;
+    } while(++e != done);
+    if(next == typename T::Vertex_handle())
+      return false;
+    at = next;
+  }
+  return true;
+}
+
+template <class T, class Point>
+void check_constraints(const T& t, const std::vector<Point>& points, const std::vector<Index_pair>& segments,
+                       std::size_t n)
+{
+  for(std::size_t i = 0; i < n; ++i)
+    if(!CHECK(has_constraint(t, points[std::size_t(segments[i].first)], points[std::size_t(segments[i].second)]))) std::cerr << "DBG " << points[std::size_t(segments[i].first)] << " to " << points[std::size_t(segments[i].second)] << " dim " << t.dimension() << std::endl;
+}
+
+std::size_t number_of_different(std::vector<XY> points, std::size_t n)
+{
+  points.resize(n);
+  std::sort(points.begin(), points.end());
+  return std::size_t(std::unique(points.begin(), points.end()) - points.begin());
+}
+
+// Inserts half of the points, the segments, and then the other half, and checks
+// everything after every step.
+template <class K>
+void run_varying(const char* name, const Plain_field& plain, const Input& input, Cavity_counts& counts)
+{
+  typedef Triangulation<K> T;
+  T t{Traits<K>(field_of<K>(plain))};
+  const auto points = points_of<K>(input.points);
+  for(std::size_t i = 0; i < points.size(); ++i) {
+    check_cavity(t, points[i], counts);
+    const auto before = t.number_of_vertices();
+    const auto v = t.insert(points[i]);
+    CHECK_MSG(t.is_valid(true), name);
+    CHECK_MSG(t.number_of_vertices() == before || has_no_conflict(t, v), name);
+    CHECK_MSG(t.number_of_vertices() == number_of_different(input.points, i + 1), name);
+    if(i != points.size() / 2)
+      continue;
+    for(std::size_t j = 0; j < input.segments.size(); ++j) {
+      t.insert_constraint(points[std::size_t(input.segments[j].first)], points[std::size_t(input.segments[j].second)]);
+      CHECK_MSG(t.is_valid(true), name);
+    }
+    check_constraints(t, points, input.segments, input.segments.size());
+  }
+  check_constraints(t, points, input.segments, input.segments.size());
+  CHECK_MSG(has_its_tensors(t), name);
+}
+
+template <class K>
+void run_against_flips(const char* name, const Plain_field& plain, const Input& input)
+{
+  typedef Triangulation<K> T;
+  const Traits<K> traits(field_of<K>(plain));
+  T t(traits);
+  Triangulation_by_flips<T> u(traits);
+  const auto points = points_of<K>(input.points);
+  insert_segments(t, points, input.segments);
+  insert_segments(u, points, input.segments);
+  CHECK_MSG(all_edges(t) == all_edges(u), name);
+  for(const auto& p : points) {
+    t.insert(p);
+    u.insert_by_flips(p);
+  }
+  CHECK_MSG(all_edges(t) == all_edges(u), name);
+}
+
+template <class K>
+void test_varying_metrics(int n)
+{
+  Cavity_counts counts;
+  for(const auto& f : varying_fields)
+    for(bool on_grid : {false, true})
+      for(int segments : {0, n/6, n}) {
+        Input input = small_input(n, segments, on_grid);
+        for(Index_pair& s : input.segments) // they come when half of the points are there
+          s = Index_pair(s.first % (n/2), s.second % (n/2));
+        input.segments.clear();
+        for(const Index_pair& s : random_segments({input.points.begin(), input.points.begin() + n/2}, segments))
+          input.segments.push_back(s);
+        run_varying<K>(f.first, f.second, input, counts);
+        run_against_flips<K>(f.first, f.second, input);
+      }
+  std::cout << "varying metrics: " << counts.cavities << " cavities of " << counts.faces << " faces, the largest of "
+            << counts.largest << std::endl;
+  CHECK(counts.largest > 5);
+}
+
+// long constraints through many faces, in metrics where flips might go round in circles
+void test_long_constraints()
+{
+  const Input input = make_input("long", 4000, [](Random_numbers& r) { const double x = r.real(0, 1); return XY(x, r.real(0, 1)); });
+  const auto points = points_of<Epick>(input.points);
+  for(const auto& f : varying_fields) {
+    Triangulation<Epick> t{Traits<Epick>(field_of<Epick>(f.second))};
+    t.insert(points.begin(), points.end());
+    for(int i = 0; i < 10; ++i) {
+      const Epick::Point_2 p(0, i / 10.), q(1, i / 10. + 0.05);
+      t.insert_constraint(p, q);
+      CHECK_MSG(has_constraint(t, p, q), f.first);
+    }
+    CHECK_MSG(t.is_valid(true), f.first);
+    CHECK_MSG(t.number_of_vertices() == points.size() + 20, f.first);
+  }
+}
+
+// ---------------------------------------------------------------- special positions
+
+template <class K>
+void test_low_dimensions()
+{
+  typedef typename K::Point_2 Point;
+  Triangulation<K> t{Traits<K>(field_of<K>(rotating))};
+  CHECK(t.is_valid() && t.dimension() == -1);
+  const auto a = t.insert(Point(0, 0));
+  CHECK(t.is_valid() && t.dimension() == 0);
+  CHECK(t.insert(Point(0, 0)) == a && t.number_of_vertices() == 1);
+  const auto b = t.insert(Point(4, 2));
+  CHECK(t.is_valid() && t.dimension() == 1);
+  for(const Point& p : {Point(2, 1), Point(-2, -1), Point(6, 3), Point(1, 0.5)}) // between and beyond
+    CHECK(t.insert(p)->point() == p && t.is_valid() && t.dimension() == 1);
+  CHECK(t.insert(Point(2, 1))->point() == Point(2, 1) && t.number_of_vertices() == 6);
+  t.insert_constraint(a, b);
+  CHECK(has_constraint(t, Point(0, 0), Point(4, 2)));
+  t.insert(Point(3, 1.5)); // on the constraint
+  CHECK(t.is_valid() && t.dimension() == 1 && has_constraint(t, Point(0, 0), Point(4, 2)));
+  t.insert(Point(1, 3));
+  CHECK(t.is_valid() && t.dimension() == 2 && has_constraint(t, Point(0, 0), Point(4, 2)));
+  t.insert(Point(1, -3));
+  CHECK(t.is_valid() && t.number_of_vertices() == 9 && has_constraint(t, Point(0, 0), Point(4, 2)));
+  CHECK(has_its_tensors(t));
+}
+
+template <class T>
+std::size_t number_of_constrained_edges(const T& t)
+{
+  std::size_t n = 0;
+  for(auto e = t.finite_edges_begin(); e != t.finite_edges_end(); ++e)
+    n += t.is_constrained(*e);
+  return n;
+}
+
+template <class K>
+Triangulation<K> square(const Plain_field& plain, bool constrained)
+{
+  typedef typename K::Point_2 Point;
+  Triangulation<K> t{Traits<K>(field_of<K>(plain))};
+  const std::vector<Point> corners = {Point(0, 0), Point(8, 0), Point(8, 8), Point(0, 8)};
+  if(constrained)
+    t.insert_constraint(corners.begin(), corners.end(), true);
+  else
+    t.insert(corners.begin(), corners.end());
+  CHECK(t.is_valid() && t.number_of_vertices() == 4 && number_of_constrained_edges(t) == (constrained ? 4 : 0));
+  return t;
+}
+
+template <class K>
+void test_points_on_edges()
+{
+  typedef typename K::Point_2 Point;
+  for(bool constrained : {false, true}) {
+    Triangulation<K> t = square<K>(rotating, constrained);
+    t.insert(Point(4, 4)); // on the diagonal
+    CHECK(t.is_valid() && t.number_of_vertices() == 5);
+    t.insert(Point(2, 2));
+    t.insert(Point(6, 2));
+    CHECK(t.is_valid() && t.number_of_vertices() == 7);
+    t.insert(Point(4, 0)); // on the hull
+    t.insert(Point(8, 5));
+    CHECK(t.is_valid() && t.number_of_vertices() == 9);
+    CHECK(number_of_constrained_edges(t) == (constrained ? 6 : 0));
+    for(const Point& p : {Point(9, 0), Point(20, 30), Point(-1, 8), Point(4, 8.125), Point(0, -5)}) // outside
+      CHECK(has_no_conflict(t, t.insert(p)) && t.is_valid());
+    CHECK(t.number_of_vertices() == 14);
+    CHECK(number_of_constrained_edges(t) == (constrained ? 6 : 0));
+    t.insert_constraint(Point(2, 2), Point(6, 2));
+    t.insert(Point(3, 2));
+    t.insert(Point(5, 2));
+    CHECK(t.is_valid() && has_constraint(t, Point(2, 2), Point(6, 2)));
+    CHECK(number_of_constrained_edges(t) == (constrained ? 9 : 3));
+    CHECK(has_its_tensors(t));
+  }
+}
+
+template <class K>
+void test_constraints()
+{
+  typedef typename K::Point_2 Point;
+  typedef Triangulation<K> T;
+  T t = square<K>(rotating, true);
+  for(const Point& p : {Point(1, 1), Point(3, 1), Point(2, 5), Point(5, 6), Point(7, 3), Point(4, 4), Point(6, 6)})
+    t.insert(p);
+  const std::vector<Point> hole = {Point(3, 3), Point(5, 3), Point(5, 5), Point(3, 5)};
+  t.insert_constraint(hole.begin(), hole.end(), true);
+  CHECK(t.is_valid() && number_of_constrained_edges(t) == 8);
+  t.insert_constraint(Point(1, 1), Point(1, 7)); // dangling
+  t.insert_constraint(Point(0, 0), Point(3, 3)); // through the vertex (1,1)
+  CHECK(t.is_valid() && number_of_constrained_edges(t) == 11);
+  t.insert_constraint(Point(3, 3), Point(5, 5)); // the hole's diagonal, through (4,4)
+  t.insert_constraint(Point(4, 4), Point(8, 8)); // partly there already
+  t.insert_constraint(Point(1, 7), Point(1, 1)); // there already
+  CHECK(t.is_valid() && number_of_constrained_edges(t) == 15);
+  CHECK(has_constraint(t, Point(0, 0), Point(8, 8)));
+  const auto before = all_edges(t);
+  typedef typename T::Intersection_of_constraints_exception Intersection;
+  bool thrown = false;
+  try { t.insert_constraint(Point(8, 0), Point(0, 8)); } // from corner to corner, through the hole
+  catch(const Intersection&) { thrown = true; }
+  CHECK(!thrown || t.is_valid());
+  thrown = false;
+  try { t.insert_constraint(Point(5, 3), Point(1, 7)); }
+  catch(const Intersection&) { thrown = true; }
+  CHECK(t.is_valid());
+  thrown = false;
+  try { t.insert_constraint(Point(2, 5), Point(0, 0)); } // crosses (1,1)-(1,7)
+  catch(const Intersection&) { thrown = true; }
+  CHECK(thrown && t.is_valid() && has_its_tensors(t));
+  for(const auto& e : before)
+    if(std::get<2>(e))
+      CHECK(has_constraint(t, std::get<0>(e), std::get<1>(e)));
+}
+
+// crossing constraints are refused by both, with the same result
+void test_crossing_constraints()
+{
+  typedef Reference_triangulation<Epick> CDT;
+  const Input input = small_input(150, 0, true);
+  const auto points = points_of<Epick>(input.points);
+  Triangulation<Epick> t{Traits<Epick>(isotropic.field<Epick>())};
+  CDT u;
+  t.insert(points.begin(), points.end());
+  u.insert(points.begin(), points.end());
+  Random_numbers random(5);
+  int refused = 0;
+  for(int i = 0; i < 300; ++i) {
+    const auto p = points[std::size_t(random.integer(150))], q = points[std::size_t(random.integer(150))];
+    bool refused_by_t = false, refused_by_u = false;
+    try { t.insert_constraint(p, q); }
+    catch(const Triangulation<Epick>::Intersection_of_constraints_exception&) { refused_by_t = true; }
+    try { u.insert_constraint(p, q); }
+    catch(const CDT::Intersection_of_constraints_exception&) { refused_by_u = true; }
+    CHECK(refused_by_t == refused_by_u);
+    CHECK(t.is_valid(true));
+    CHECK(picture<Epick>(t, euclidean).edges == picture<Epick>(u, euclidean).edges);
+    refused += refused_by_t;
+  }
+  CHECK(refused > 50);
+}
+
+// ---------------------------------------------------------------- copies, and fields with data
+
+struct Field_with_data
+{
+  std::vector<double> sizes;
+
+  CGAL::Metric_tensor_2<Epick> operator()(const Epick::Point_2& p) const
+  {
+    return Tensor::from_sizes(sizes.at(std::size_t(p.x()) % sizes.size()), 1, p.y());
+  }
+};
+
+typedef CGAL::Riemannian_metric_traits_2<Epick, Field_with_data>            Traits_with_data;
+typedef CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Traits_with_data>  Triangulation_with_data;
+
+void test_copies()
+{
+  typedef Triangulation_with_data T;
+  std::unique_ptr<T> first(new T{Traits_with_data(Field_with_data{{1, 0.5, 0.25}})});
+  for(int i = 0; i < 40; ++i)
+    first->insert(Epick::Point_2(i % 7, (i * i) % 11));
+  first->insert_constraint(Epick::Point_2(0, 0), Epick::Point_2(6, 3));
+  const auto edges = all_edges(*first);
+
+  T copy(*first), assigned{Traits_with_data(Field_with_data{{9}})}, empty;
+  assigned.insert(Epick::Point_2(0, 0));
+  assigned = copy;
+  empty = assigned;
+  first->insert(Epick::Point_2(2.5, 2.25));
+  CHECK(all_edges(*first) != edges);
+  first.reset(); // the field outlives the first of its users
+  for(T* t : {&copy, &assigned, &empty}) {
+    CHECK(all_edges(*t) == edges && t->is_valid() && has_its_tensors(*t));
+    CHECK(t->geom_traits().metric_field().sizes.size() == 3);
+    t->insert(Epick::Point_2(2.5, 2.25));
+    CHECK(t->is_valid() && has_its_tensors(*t) && all_edges(*t) != edges);
+  }
+  CHECK(all_edges(copy) == all_edges(assigned) && all_edges(copy) == all_edges(empty));
+
+  const T moved(std::move(copy));
+  CHECK(all_edges(moved) == all_edges(assigned) && moved.is_valid() && has_its_tensors(moved));
+  T other{Traits_with_data(Field_with_data{{9}})};
+  other.swap(assigned);
+  CHECK(all_edges(moved) == all_edges(other) && has_its_tensors(other) && assigned.number_of_vertices() == 0);
+  assigned.insert(Epick::Point_2(1, 1));
+  CHECK(has_its_tensors(assigned) && assigned.geom_traits().metric_field().sizes.size() == 1);
+}
+
+// A field that refuses a point leaves the triangulation as it was.
+void test_refused_points()
+{
+  const Field<Epick> field = [](const Epick::Point_2& p) { return Tensor::from_entries(1, 0, 3 - p.x()); };
+  Triangulation<Epick> t{Traits<Epick>(field)};
+  typedef CGAL::Invalid_metric_tensor_exception Invalid;
+  CHECK_THROWS(t.insert(Epick::Point_2(5, 7)), Invalid, "(5, 7)");
+  CHECK(t.number_of_vertices() == 0 && t.is_valid());
+  for(int i = 0; i < 9; ++i)
+    t.insert(Epick::Point_2(i % 3, i / 3));
+  const auto edges = all_edges(t);
+  CHECK_THROWS(t.insert(Epick::Point_2(3, 0.5)), Invalid, "(3, 0.5)");
+  CHECK_THROWS(t.insert_constraint(Epick::Point_2(0, 0), Epick::Point_2(3.5, 1)), Invalid, "(3.5, 1)");
+  CHECK(all_edges(t) == edges && t.is_valid() && has_its_tensors(t));
+}
+
+// ---------------------------------------------------------------- a kernel with rounding errors
+
+void test_doubles()
+{
+  for(const auto& f : {varying_fields[0], varying_fields[3]}) {
+    Triangulation<Double_kernel> t{Traits<Double_kernel>(field_of<Double_kernel>(f.second))};
+    const std::vector<Double_kernel::Point_2> corners = points_of<Double_kernel>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    t.insert_constraint(corners.begin(), corners.end(), true);
+    Random_numbers random(1);
+    for(int i = 0; i < 2000; ++i) {
+      const double x = random.real(0.001, 0.999);
+      t.insert(Double_kernel::Point_2(x, random.real(0.001, 0.999)));
+    }
+    CHECK_MSG(t.is_valid(true), f.first);
+    CHECK_MSG(t.number_of_vertices() == 2004, f.first);
+    CHECK_MSG(number_of_constrained_edges(t) == 4, f.first);
+  }
+}
+
+template <class K>
+void test_special_positions()
+{
+  test_low_dimensions<K>();
+  test_points_on_edges<K>();
+  test_constraints<K>();
+}
+
+int main()
+{
+  test_special_positions<Epick>();
+  test_special_positions<Epeck>();
+  test_special_positions<Rational_kernel>();
+  test_flat_metrics();
+  test_flat_metrics_full_precision();
+  test_flat_metrics_small<Epeck>();
+  test_flat_metrics_small<Rational_kernel>();
+  test_varying_metrics<Epick>(100);
+  test_varying_metrics<Epeck>(30);
+  test_varying_metrics<Rational_kernel>(30);
+  test_long_constraints();
+  test_crossing_constraints();
+  test_copies();
+  test_refused_points();
+  test_doubles();
+  return finish();
+}
