@@ -22,14 +22,15 @@ namespace program {
 namespace {
 
 typedef CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>  Graph;
-typedef CGAL::Anisotropic_mesh_2::Domain_rule                           Domain_rule;
 typedef CGAL::Discrete_metric_field_2<Kernel>                           Discrete_metric_field;
 
 Domain domain_of_file(const std::string& path)
 {
-  if(extension_of(path) == ".poly")
-    return Domain(CGAL::IO::read_poly<Kernel>(path), Domain_rule::SEEDS);
-  return Domain(CGAL::IO::read_medit<Kernel>(path), Domain_rule::EVEN_ODD);
+  if(extension_of(path) != ".poly")
+    return Domain(CGAL::IO::read_medit<Kernel>(path));
+  Domain domain(CGAL::IO::read_poly<Kernel>(path));
+  domain.set_rule(CGAL::Anisotropic_mesh_2::Domain_rule::SEEDS);
+  return domain;
 }
 
 Metric_field metric_of_files(const std::string& metric_file, const std::string& background_file)

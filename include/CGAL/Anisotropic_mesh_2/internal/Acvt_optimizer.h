@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -69,7 +70,7 @@ public:
       Mesh_optimization_return_code code;
       if(is_finished(code))
         return code;
-      if(!descend() && !restart())
+      if((!descend() && !restart()) || is_stalled())
         return CANT_IMPROVE_ANYMORE;
     }
   }
@@ -78,6 +79,10 @@ private:
   // Longest step, in the metric: beyond, the model of the energy is void.
   static constexpr double longest_step = 0.5;
   static constexpr int    maximum_trials = 6;
+  // The energy jumps a little where elements are quartered or edges flipped.
+  static constexpr double energy_noise = 1e-4;
+  static constexpr double least_progress = 1e-6;
+  static constexpr int    patience = 10;
 
   void evaluate()
   {
@@ -160,7 +165,7 @@ private:
       add_multiple(target, t, d);
       m_mover.move_to(target);
       evaluate();
-      if(m_state.energy <= old_energy + 1e-4 * t * slope) {
+      if(m_state.energy <= old_energy + 1e-4 * t * slope || is_level(old_energy, slope, d)) {
         remember_step(start, old_gradient);
         return true;
       }
@@ -171,6 +176,25 @@ private:
     m_mover.move_to(start);
     evaluate();
     return false;
+  }
+
+  // Whether the energy has not risen by more than noise while its slope along d
+  // has lost a good part of its steepness, so that d has been of use.
+  bool is_level(double old_energy, double old_slope, const Vectors& d) const
+  {
+    return m_state.energy <= old_energy * (1 + energy_noise)
+        && scalar_product(gradient(), d) >= 0.8 * old_slope
+        && scalar_product(gradient(), d) <= -0.8 * old_slope;
+  }
+
+  // Whether the lowest energy so far is older than some iterations.
+  bool is_stalled()
+  {
+    if(m_state.energy < m_lowest_energy * (1 - least_progress)) {
+      m_lowest_energy = m_state.energy;
+      m_iteration_of_lowest = m_state.iteration;
+    }
+    return m_state.iteration > m_iteration_of_lowest + patience;
   }
 
   void remember_step(const Vectors& start, const Vectors& old_gradient)
@@ -198,6 +222,8 @@ private:
   std::vector<Region_moments> m_moments;
   Vectors                     m_pull; // from the free vertices to their mass centres
   Lbfgs_history               m_history;
+  double                      m_lowest_energy = std::numeric_limits<double>::infinity();
+  std::size_t                 m_iteration_of_lowest = 0;
 };
 
 } // namespace internal

@@ -63,19 +63,24 @@ private:
 
   static void check_lengths(const Pieces& pieces)
   {
-    if(std::all_of(pieces.begin(), pieces.end(),
-                   [](const Piece& piece) { return piece.role == Piece_role::CONSTRAINT; }))
+    if(std::none_of(pieces.begin(), pieces.end(),
+                    [](const Piece& piece) { return is_meant_as_boundary(piece.role); }))
       refuse("the domain is empty: no curve bounds it");
     for(const Piece& piece : pieces)
       if(piece.curve.is_closed() && (piece.curve.is_straight() || piece.curve.point(0.3) == piece.curve.source()))
         refuse(describe(piece) + " has zero length");
   }
 
-  static std::map<Point_2, int> count_ends(const Pieces& pieces, bool boundary_only)
+  static bool is_any(Piece_role) { return true; }
+  static bool is_boundary(Piece_role role) { return role == Piece_role::BOUNDARY; }
+  static bool is_meant_as_boundary(Piece_role role) { return is_boundary(role) || role == Piece_role::OPEN_CHAIN; }
+
+  // how many pieces whose role counts end at each point
+  static std::map<Point_2, int> count_ends(const Pieces& pieces, bool (*counts)(Piece_role))
   {
     std::map<Point_2, int> ends;
     for(const Piece& piece : pieces)
-      if(!boundary_only || piece.role == Piece_role::BOUNDARY) {
+      if(counts(piece.role)) {
         ++ends[piece.curve.source()];
         ++ends[piece.curve.target()];
       }
@@ -85,7 +90,7 @@ private:
   // at each point, no or two boundary pieces end
   void check_loops() const
   {
-    const std::map<Point_2, int> ends = count_ends(m_pieces, true);
+    const std::map<Point_2, int> ends = count_ends(m_pieces, is_boundary);
     for(const auto& end : ends)
       if(end.second == 1)
         refuse_open(end.first);
@@ -113,7 +118,7 @@ private:
   {
     if(std::any_of(sides.begin(), sides.end(), [](const Sides& s) { return s.left || s.right; }))
       return;
-    for(const auto& end : count_ends(m_pieces, false))
+    for(const auto& end : count_ends(m_pieces, is_meant_as_boundary))
       if(end.second == 1)
         refuse_open(end.first);
     refuse("the domain encloses no area");
@@ -150,7 +155,7 @@ private:
   // Pieces in a hole or beyond the boundary are harmless unless their chain is open.
   void check_closed(const Pieces& outside) const
   {
-    const std::map<Point_2, int> ends = count_ends(m_pieces, false);
+    const std::map<Point_2, int> ends = count_ends(m_pieces, is_any);
     for(const Piece& piece : outside)
       for(const Point_2* p : {&piece.curve.source(), &piece.curve.target()})
         if(ends.at(*p) == 1)
