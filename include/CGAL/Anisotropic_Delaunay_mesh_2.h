@@ -146,6 +146,18 @@ public:
   /// whether the vertex is an end point of a constrained edge.
   bool is_fixed(Vertex_handle v) const { return this->are_there_incident_constraints(v); }
 
+  /// the edges of the domain, each seen from the face from which its vertices
+  /// are in the order of their indices, in an order that is the same in every run.
+  std::vector<Edge> edges_in_domain() const
+  {
+    std::vector<Edge> edges;
+    for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
+      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
+        if(f->vertex(ccw(i))->index() < f->vertex(cw(i))->index() || !f->neighbor(i)->is_in_domain())
+          edges.push_back(Edge(f, i));
+    return edges;
+  }
+
   std::size_t number_of_faces_in_domain() const
   {
     std::size_t n = 0;

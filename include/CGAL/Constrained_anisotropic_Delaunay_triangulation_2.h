@@ -295,10 +295,25 @@ public:
   {
     const size_type free_flips = 4 * edges.size() + 16;
     size_type flips = 0;
+    return flip_edges(std::move(edges), [&](const Edge& e) {
+      return !is_locally_Delaunay(e.first, e.second)
+          && (++flips <= free_flips || flip_raises_smallest_angle(e));
+    });
+  }
+
+  /// flips those of the given edges for which `is_wanted` holds, and then those
+  /// around the flipped ones, until none is left.
+  /// \tparam Is_wanted a predicate on edges that holds for flippable ones only,
+  /// and that does not hold endlessly.
+  /// \return the number of flips.
+  template <class Is_wanted>
+  size_type flip_edges(std::vector<Edge> edges, const Is_wanted& is_wanted)
+  {
+    size_type flips = 0;
     while(!edges.empty()) {
       const Edge e = edges.back();
       edges.pop_back();
-      if(is_locally_Delaunay(e.first, e.second) || (flips >= free_flips && !flip_raises_smallest_angle(e)))
+      if(!is_wanted(e))
         continue;
       const Face_handle f = e.first, g = f->neighbor(e.second);
       flip(f, e.second);

@@ -56,6 +56,7 @@ namespace CGAL {
 ///       is called after each iteration, and once before the first; `false` stops the optimizer}
 ///     \cgalParamType{any class with that member}
 ///     \cgalParamDefault{`Anisotropic_mesh_2::Default_optimization_visitor`}
+///     \cgalParamExtra{The visitor is copied; what it collects it must hold by pointer or reference.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///

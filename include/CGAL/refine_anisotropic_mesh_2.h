@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Field_point_inserter.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
 #include <CGAL/Too_many_vertices_exception.h>
@@ -63,6 +64,7 @@ std::size_t refine_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL
   internal::check_ideal_number_of_vertices(mesh, limit);
   const std::size_t before = mesh.number_of_vertices();
   internal::Field_point_inserter<Mesh>(mesh, limit)(placement);
+  internal::restore_connectivity(mesh);
   return mesh.number_of_vertices() - before;
 }
 

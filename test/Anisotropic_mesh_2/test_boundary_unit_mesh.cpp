@@ -7,7 +7,7 @@
 // Riemannian lengths against closed forms and brute force, and the boundary
 // meshes that are made of them.
 
-#include "check.h"
+#include "include/check.h"
 
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Boundary_unit_mesher.h>

@@ -6,15 +6,21 @@
 
 // Domains: what is accepted, and each kind of bad input with its message.
 
-#include "check.h"
+#include "include/check.h"
 
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_2_algorithms.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <list>
+#include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel       K;
@@ -330,6 +336,61 @@ void test_triangle_meshes()
   CHECK_THROWS(Domain{out_of_range}, Bad, "the triangle 3 names the point 7, but there are 6");
 }
 
+bool has_repeated_edge(const Points& p)
+{
+  std::set<std::pair<Point, Point> > edges;
+  for(std::size_t i = 0; i < p.size(); ++i) {
+    const Point &a = p[i], &b = p[(i+1) % p.size()];
+    if(!edges.insert(a < b ? std::make_pair(a, b) : std::make_pair(b, a)).second)
+      return true;
+  }
+  return false;
+}
+
+// Random polygons on a small grid, full of degeneracies: valid iff simple.
+void test_against_is_simple()
+{
+  std::mt19937 random(7);
+  int simple = 0, others = 0;
+  for(int trial = 0; trial < 4000; ++trial) {
+    Points points;
+    for(std::size_t n = 3 + random() % 5; n > 0; --n)
+      points.push_back(Point(random() % 5, random() % 5));
+    if(has_repeated_edge(points))
+      continue;
+    bool valid = true;
+    try { polygon(points).validate(); } catch(const Bad&) { valid = false; }
+    const bool expected = CGAL::is_simple_2(points.begin(), points.end(), K());
+    CHECK(valid == expected);
+    ++(expected ? simple : others);
+  }
+  CHECK(simple > 500 && others > 500);
+}
+
+// Edges in any order and direction give the same loops: a square, a divided
+// square in it, which is a hole, and a divided square besides.
+void test_order_of_edges()
+{
+  std::mt19937 random(3);
+  Points points = square(8);
+  for(const Points& p : {square(2, 1, 1), square(2, 10, 1)})
+    points.insert(points.end(), p.begin(), p.end());
+  std::vector<std::array<std::size_t, 2> > edges;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    edges.push_back({i, i % 4 == 3 ? i - 3 : i + 1});
+  edges.push_back({4, 6});
+  edges.push_back({9, 11});
+  for(int trial = 0; trial < 50; ++trial) {
+    std::shuffle(edges.begin(), edges.end(), random);
+    for(auto& e : edges)
+      if(random() % 2 == 0)
+        std::swap(e[0], e[1]);
+    const Domain domain(graph_of(points, edges));
+    CHECK(is_valid(domain));
+    CHECK(count(domain, Role::BOUNDARY) == 12 && count(domain, Role::CONSTRAINT) == 1);
+  }
+}
+
 int main()
 {
   test_curve_pieces();
@@ -342,5 +403,7 @@ int main()
   test_seeds();
   test_graphs();
   test_triangle_meshes();
+  test_against_is_simple();
+  test_order_of_edges();
   return finish();
 }

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <initializer_list>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -199,7 +200,7 @@ Input grid(int n)
   return input;
 }
 
-// the points with integer coordinates on a circle, and on its image under `stretched`
+// the points with integer coordinates on a circle, and those that `stretched` maps there
 Input cocircular()
 {
   Input input{"cocircular", {{0, 0}, {1, 1}}, {}};
@@ -217,7 +218,11 @@ Input cocircular()
 std::vector<Input> all_inputs()
 {
   std::vector<Input> inputs;
-  inputs.push_back(make_input("random", 3000, [](Random_numbers& r) { const double x = r.real(0, 1); return XY(rounded(x), rounded(r.real(0, 1))); }));
+  inputs.push_back(make_input("random", 3000, [](Random_numbers& r)
+  {
+    const double x = r.real(0, 1);
+    return XY(rounded(x), rounded(r.real(0, 1)));
+  }));
   inputs.push_back(make_input("clustered", 2000, [](Random_numbers& r)
   {
     const double size = r.power_of_ten(-7, 0), angle = r.real(0, 2*pi);
@@ -244,22 +249,34 @@ std::vector<Input> all_inputs()
   return inputs;
 }
 
+template <class T>
+bool refuses_constraint(T& t, const typename T::Point& p, const typename T::Point& q)
+{
+  try {
+    t.insert_constraint(p, q);
+  }
+  catch(const typename T::Intersection_of_constraints_exception&) {
+    return true;
+  }
+  return false;
+}
+
 // segments that do not cross, but that may touch each other and pass through points
 std::vector<Index_pair> random_segments(const std::vector<XY>& points, int n)
 {
   typedef Reference_triangulation<Epick> CDT;
   Random_numbers random(11);
-  CDT scratch;
+  CDT accepted;
   std::vector<Index_pair> segments;
   for(int i = 0; i < n; ++i) {
     const int a = random.integer(int(points.size())), b = random.integer(int(points.size()));
     if(points[std::size_t(a)] == points[std::size_t(b)])
       continue;
-    try {
-      scratch.insert_constraint(point<Epick>(points[std::size_t(a)]), point<Epick>(points[std::size_t(b)]));
-      segments.emplace_back(a, b);
-    }
-    catch(const CDT::Intersection_of_constraints_exception&) {}
+    CDT trial(accepted); // so that the ends of refused segments are not there for others to cross in
+    if(refuses_constraint(trial, point<Epick>(points[std::size_t(a)]), point<Epick>(points[std::size_t(b)])))
+      continue;
+    accepted = trial;
+    segments.emplace_back(a, b);
   }
   return segments;
 }
@@ -464,6 +481,12 @@ bool is_good_cavity(const T& t, const typename T::Point& p, const typename T::Me
 
 struct Cavity_counts { long cavities = 0, faces = 0, largest = 0; };
 
+void report(const Cavity_counts& counts)
+{
+  std::cout << "varying metrics: " << counts.cavities << " cavities of " << counts.faces << " faces, the largest of "
+            << counts.largest << std::endl;
+}
+
 template <class T>
 void check_cavity(const T& t, const typename T::Point& p, Cavity_counts& counts)
 {
@@ -529,7 +552,8 @@ Input small_input(int n, int segments, bool on_grid)
     const double x = random.real(0, 1), y = random.real(0, 1);
     input.points.push_back(on_grid ? XY(std::round(8*x) / 8, std::round(8*y) / 8) : XY(x, y));
   }
-  input.segments = random_segments(input.points, segments);
+  // between points of the first half, for they come when these are there
+  input.segments = random_segments({input.points.begin(), input.points.begin() + n/2}, segments);
   return input;
 }
 
@@ -639,24 +663,39 @@ void test_varying_metrics(int n)
   for(const auto& f : varying_fields)
     for(bool on_grid : {false, true})
       for(int segments : {0, n/6, n}) {
-        Input input = small_input(n, segments, on_grid);
-        for(Index_pair& s : input.segments) // they come when half of the points are there
-          s = Index_pair(s.first % (n/2), s.second % (n/2));
-        input.segments.clear();
-        for(const Index_pair& s : random_segments({input.points.begin(), input.points.begin() + n/2}, segments))
-          input.segments.push_back(s);
+        const Input input = small_input(n, segments, on_grid);
         run_varying<K>(f.first, f.second, input, counts);
         run_against_flips<K>(f.first, f.second, input);
       }
-  std::cout << "varying metrics: " << counts.cavities << " cavities of " << counts.faces << " faces, the largest of "
-            << counts.largest << std::endl;
+  report(counts);
   CHECK(counts.largest > 5);
+}
+
+// many points, all cavities checked, the triangulation at the end
+void test_varying_metrics_large()
+{
+  Cavity_counts counts;
+  const Input input = make_input("large", 20000, [](Random_numbers& r)
+                                 { const double x = r.real(0, 1); return XY(x, r.real(0, 1)); });
+  const auto points = points_of<Epick>(input.points);
+  for(const auto& f : varying_fields) {
+    Triangulation<Epick> t{Traits<Epick>(field_of<Epick>(f.second))};
+    for(const auto& p : points) {
+      check_cavity(t, p, counts);
+      CHECK_MSG(has_no_conflict(t, t.insert(p)), f.first);
+    }
+    CHECK_MSG(t.is_valid(true) && has_its_tensors(t), f.first);
+    CHECK_MSG(t.number_of_vertices() == points.size(), f.first);
+  }
+  report(counts);
+  CHECK(counts.cavities > 100000 && counts.largest > 20);
 }
 
 // long constraints through many faces, in metrics where flips might go round in circles
 void test_long_constraints()
 {
-  const Input input = make_input("long", 4000, [](Random_numbers& r) { const double x = r.real(0, 1); return XY(x, r.real(0, 1)); });
+  const Input input = make_input("long", 4000, [](Random_numbers& r)
+                                 { const double x = r.real(0, 1); return XY(x, r.real(0, 1)); });
   const auto points = points_of<Epick>(input.points);
   for(const auto& f : varying_fields) {
     Triangulation<Epick> t{Traits<Epick>(field_of<Epick>(f.second))};
@@ -769,22 +808,14 @@ void test_constraints()
   CHECK(t.is_valid() && number_of_constrained_edges(t) == 15);
   CHECK(has_constraint(t, Point(0, 0), Point(8, 8)));
   const auto before = all_edges(t);
-  typedef typename T::Intersection_of_constraints_exception Intersection;
-  bool thrown = false;
-  try { t.insert_constraint(Point(8, 0), Point(0, 8)); } // from corner to corner, through the hole
-  catch(const Intersection&) { thrown = true; }
-  CHECK(!thrown || t.is_valid());
-  thrown = false;
-  try { t.insert_constraint(Point(5, 3), Point(1, 7)); }
-  catch(const Intersection&) { thrown = true; }
-  CHECK(t.is_valid());
-  thrown = false;
-  try { t.insert_constraint(Point(2, 5), Point(0, 0)); } // crosses (1,1)-(1,7)
-  catch(const Intersection&) { thrown = true; }
-  CHECK(thrown && t.is_valid() && has_its_tensors(t));
+  CHECK(refuses_constraint(t, Point(2, 5), Point(0, 0))); // crosses (1,1)-(1,7)
+  CHECK(refuses_constraint(t, Point(2, 5), Point(7, 3))); // crosses the hole
+  CHECK(t.is_valid() && has_its_tensors(t));
   for(const auto& e : before)
     if(std::get<2>(e))
       CHECK(has_constraint(t, std::get<0>(e), std::get<1>(e)));
+  CHECK(!refuses_constraint(t, Point(8, 0), Point(0, 8))); // crosses in vertices only
+  CHECK(t.is_valid() && has_constraint(t, Point(8, 0), Point(0, 8)));
 }
 
 // crossing constraints are refused by both, with the same result
@@ -801,15 +832,13 @@ void test_crossing_constraints()
   int refused = 0;
   for(int i = 0; i < 300; ++i) {
     const auto p = points[std::size_t(random.integer(150))], q = points[std::size_t(random.integer(150))];
-    bool refused_by_t = false, refused_by_u = false;
-    try { t.insert_constraint(p, q); }
-    catch(const Triangulation<Epick>::Intersection_of_constraints_exception&) { refused_by_t = true; }
-    try { u.insert_constraint(p, q); }
-    catch(const CDT::Intersection_of_constraints_exception&) { refused_by_u = true; }
-    CHECK(refused_by_t == refused_by_u);
+    if(p == q)
+      continue;
+    const bool is_refused = refuses_constraint(t, p, q);
+    CHECK(is_refused == refuses_constraint(u, p, q));
     CHECK(t.is_valid(true));
     CHECK(picture<Epick>(t, euclidean).edges == picture<Epick>(u, euclidean).edges);
-    refused += refused_by_t;
+    refused += is_refused;
   }
   CHECK(refused > 50);
 }
@@ -878,6 +907,34 @@ void test_refused_points()
   CHECK(all_edges(t) == edges && t.is_valid() && has_its_tensors(t));
 }
 
+// is_valid() must be able to say no
+void test_invalid_triangulations()
+{
+  typedef Epick::Point_2 Point;
+  const Triangulation<Epick> valid = [] {
+    Triangulation<Epick> t = square<Epick>(rotating, false);
+    t.insert(Point(8, 4));
+    t.insert(Point(3, 3));
+    return t;
+  }();
+  const auto moved = [&](const Point& from, const Point& to)
+  {
+    Triangulation<Epick> t(valid);
+    t.insert(from)->set_point(to);
+    return t.is_valid();
+  };
+  CHECK(moved(Point(3, 3), Point(3, 3.5)));
+  CHECK(!moved(Point(3, 3), Point(9, 9)));   // faces turn over
+  CHECK(!moved(Point(8, 4), Point(7.5, 4))); // the hull is not convex
+
+  Triangulation<Epick> t(valid);
+  const auto f = t.finite_faces_begin();
+  f->set_constraint(0, true);
+  CHECK(!t.is_valid());
+  f->set_constraint(0, false);
+  CHECK(t.is_valid());
+}
+
 // ---------------------------------------------------------------- a kernel with rounding errors
 
 void test_doubles()
@@ -914,13 +971,15 @@ int main()
   test_flat_metrics_full_precision();
   test_flat_metrics_small<Epeck>();
   test_flat_metrics_small<Rational_kernel>();
-  test_varying_metrics<Epick>(100);
-  test_varying_metrics<Epeck>(30);
-  test_varying_metrics<Rational_kernel>(30);
+  test_varying_metrics<Epick>(300);
+  test_varying_metrics<Epeck>(40);
+  test_varying_metrics<Rational_kernel>(40);
+  test_varying_metrics_large();
   test_long_constraints();
   test_crossing_constraints();
   test_copies();
   test_refused_points();
+  test_invalid_triangulations();
   test_doubles();
   return finish();
 }

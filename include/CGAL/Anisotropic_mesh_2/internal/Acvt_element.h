@@ -30,12 +30,14 @@ struct Weighted_tensor
   Symmetric_form m;
   Symmetric_form weighted;
   double determinant = 1;
+  double weighted_determinant = 1;
 
   Weighted_tensor() {}
   Weighted_tensor(const Symmetric_form& m, bool riemannian)
     : m(m), determinant(m.determinant())
   {
     weighted = riemannian ? std::sqrt(determinant) * m : m;
+    weighted_determinant = riemannian ? determinant * determinant : determinant;
   }
 
   // The root of the sum of (e - 1)^2 over the two eigenvalues e of m^-1 n: how
@@ -56,6 +58,8 @@ struct Acvt_element
   std::array<Vector_of_doubles, 3> corner;
   std::array<Weighted_tensor, 3>   tensor;
   Weighted_tensor                  middle;
+  std::array<Symmetric_form, 3>    across;  // weighted, at the middle of the edge opposite to the corner
+  Symmetric_form                   bubble;  // what lacks at the barycentre
 
   Vector_of_doubles barycentre() const
   {
@@ -75,16 +79,32 @@ struct Acvt_element
                     std::max(middle.distance_to(tensor[1]), middle.distance_to(tensor[2])));
   }
 
-  // linear in the corners, with a cubic bubble for the middle
+  // To be called when corners, tensors and middle are known. Sizes vary rather
+  // linearly than the tensors, which are their inverse powers: the mean of two
+  // tensors is scaled so that its determinant is the geometric mean of theirs.
+  void prepare_interpolation()
+  {
+    bubble = middle.weighted;
+    for(int i = 0; i < 3; ++i) {
+      const Weighted_tensor &p = tensor[(i + 1) % 3], &q = tensor[(i + 2) % 3];
+      const Symmetric_form sum = p.weighted + q.weighted;
+      across[i] = std::sqrt(std::sqrt(p.weighted_determinant * q.weighted_determinant) / sum.determinant()) * sum;
+      bubble += (1./9) * tensor[i].weighted;
+      bubble += (-4./9) * across[i];
+    }
+    bubble = 27 * bubble;
+  }
+
+  // quadratic, with a cubic bubble for the middle
   Symmetric_form weighted_tensor(double l0, double l1, double l2) const
   {
-    const double bubble = 27 * l0*l1*l2, third = bubble / 3;
-    const Symmetric_form &s0 = tensor[0].weighted, &s1 = tensor[1].weighted, &s2 = tensor[2].weighted,
-                         &s = middle.weighted;
-    const double k0 = l0 - third, k1 = l1 - third, k2 = l2 - third;
-    return Symmetric_form(k0*s0.a + k1*s1.a + k2*s2.a + bubble*s.a,
-                          k0*s0.b + k1*s1.b + k2*s2.b + bubble*s.b,
-                          k0*s0.c + k1*s1.c + k2*s2.c + bubble*s.c);
+    const double k0 = l0 * (2*l0 - 1), k1 = l1 * (2*l1 - 1), k2 = l2 * (2*l2 - 1);
+    const double k12 = 4*l1*l2, k20 = 4*l2*l0, k01 = 4*l0*l1, k = l0*l1*l2;
+    const Symmetric_form &s0 = tensor[0].weighted, &s1 = tensor[1].weighted, &s2 = tensor[2].weighted;
+    return Symmetric_form(
+      k0*s0.a + k1*s1.a + k2*s2.a + k12*across[0].a + k20*across[1].a + k01*across[2].a + k*bubble.a,
+      k0*s0.b + k1*s1.b + k2*s2.b + k12*across[0].b + k20*across[1].b + k01*across[2].b + k*bubble.b,
+      k0*s0.c + k1*s1.c + k2*s2.c + k12*across[0].c + k20*across[1].c + k01*across[2].c + k*bubble.c);
   }
 
   Vector_of_doubles at(double l0, double l1, double l2) const

@@ -35,7 +35,7 @@ class Acvt_energy
 
 public:
   // `tolerance` is the variation of the metric within an element that is left as it is
-  Acvt_energy(const Mesh& mesh, Measure measure, double tolerance = 0.4, int maximum_depth = 3)
+  Acvt_energy(const Mesh& mesh, Measure measure, double tolerance = 0.3, int maximum_depth = 3)
     : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
       m_is_riemannian(measure == Measure::RIEMANNIAN), m_tolerance(tolerance), m_maximum_depth(maximum_depth)
   {}
@@ -86,6 +86,7 @@ private:
 
     if(e.variation() > m_tolerance)
       return add_refined(e, generators_near(f, 2, moments), m_maximum_depth);
+    e.prepare_interpolation();
     Acute_element_integrator acute;
     if(acute.prepare(e) && !has_obtuse_neighbor(f, e.middle.m))
       return acute(e, of_corners);
@@ -108,10 +109,12 @@ private:
     return false;
   }
 
-  double add_refined(const Acvt_element& e, const Generators& generators, int depth) const
+  double add_refined(Acvt_element& e, const Generators& generators, int depth) const
   {
-    if(depth == 0 || e.variation() <= m_tolerance)
+    if(depth == 0 || e.variation() <= m_tolerance) {
+      e.prepare_interpolation();
       return Clipped_element_integrator()(e, generators);
+    }
     std::array<Vector_of_doubles, 3> middle; // of the edge opposite to the corner
     std::array<Weighted_tensor, 3> tensor;
     for(int i = 0; i < 3; ++i) {
@@ -122,14 +125,18 @@ private:
     double energy = 0;
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      energy += add_part({{e.corner[i], middle[k], middle[j]}, {e.tensor[i], tensor[k], tensor[j]}, {}},
+      energy += add_part({e.corner[i], middle[k], middle[j]}, {e.tensor[i], tensor[k], tensor[j]},
                          generators, depth - 1);
     }
-    return energy + add_part({middle, tensor, {}}, generators, depth - 1);
+    return energy + add_part(middle, tensor, generators, depth - 1);
   }
 
-  double add_part(Acvt_element part, const Generators& generators, int depth) const
+  double add_part(const std::array<Vector_of_doubles, 3>& corner, const std::array<Weighted_tensor, 3>& tensor,
+                  const Generators& generators, int depth) const
   {
+    Acvt_element part;
+    part.corner = corner;
+    part.tensor = tensor;
     part.middle = tensor_at(part.barycentre());
     return add_refined(part, generators, depth);
   }

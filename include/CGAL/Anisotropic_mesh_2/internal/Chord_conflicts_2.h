@@ -9,9 +9,9 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Chord_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/exact_predicates.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tilted_box.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -54,18 +54,27 @@ private:
   typedef Exact_predicates_kernel_of<K>                             Exact;
   typedef typename Exact::Point_2                                   Exact_point;
   typedef typename Exact::Segment_2                                 Exact_segment;
-  typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t> Box;
+  typedef Tilted_box                                                Box;
   static constexpr std::size_t parts_of_curve = 8;
 
-  static Box box(const Bbox_2& b, std::size_t i) { return Box(b, i); }
+  // around the given points
+  template <std::size_t N>
+  static Box box(const std::array<Exact_point, N>& points, std::size_t i)
+  {
+    std::array<Bbox_2, N> boxes;
+    std::transform(points.begin(), points.end(), boxes.begin(), [](const Exact_point& p) { return p.bbox(); });
+    return tilted_box(boxes, 0, i);
+  }
 
   Exact_segment segment(const Chord& c) const { return Exact_segment(m_points[c.source], m_points[c.target]); }
 
   void find_meeting_chords()
   {
     std::vector<Box> boxes;
-    for(std::size_t i = 0; i < m_graph.chords().size(); ++i)
-      boxes.push_back(box(segment(m_graph.chords()[i]).bbox(), i));
+    for(std::size_t i = 0; i < m_graph.chords().size(); ++i) {
+      const Chord& c = m_graph.chords()[i];
+      boxes.push_back(box<2>({m_points[c.source], m_points[c.target]}, i));
+    }
     CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [this](const Box& a, const Box& b) {
       if(meet_wrongly(m_graph.chords()[a.info()], m_graph.chords()[b.info()]))
         m_meeting.push_back(std::minmax(a.info(), b.info()));
@@ -110,17 +119,13 @@ private:
     std::vector<Box> rings, points;
     for(std::size_t i = 0; i < m_graph.chords().size(); ++i) {
       const Chord& c = m_graph.chords()[i];
-      if(m_pieces[c.piece].curve.is_straight())
-        continue;
-      Bbox_2 bounds;
-      for(const Exact_point& p : ring(c))
-        bounds += p.bbox();
-      rings.push_back(box(bounds, i));
+      if(!m_pieces[c.piece].curve.is_straight())
+        rings.push_back(box(ring(c), i));
     }
     if(rings.empty())
       return;
     for(std::size_t i = 0; i < m_points.size(); ++i)
-      points.push_back(box(m_points[i].bbox(), i));
+      points.push_back(box<1>({m_points[i]}, i));
     CGAL::box_intersection_d(rings.begin(), rings.end(), points.begin(), points.end(),
                              [this](const Box& r, const Box& p) {
       const Chord& c = m_graph.chords()[r.info()];

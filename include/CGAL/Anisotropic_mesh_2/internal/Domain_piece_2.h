@@ -23,7 +23,7 @@ enum class Piece_role
   BOUNDARY,
   CONSTRAINT, // an inner curve
   OPEN_CHAIN, // edges of a graph on no cycle: an inner curve if inside, else a boundary that is open
-  CANCELED    // two boundary pieces in the same place: an inner curve if inside, else nothing
+  DIVIDER     // inside a divided cycle, or two boundary pieces in one place: an inner curve if inside, else nothing
 };
 
 template <class K>

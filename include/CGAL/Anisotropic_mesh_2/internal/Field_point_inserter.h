@@ -140,17 +140,12 @@ private:
     return edges;
   }
 
-  // Each edge is taken from the side from which its vertices are in the order
-  // of their indices: handles compare by address, which differs from run to run.
   std::vector<Vertex_pair> interior_edges() const
   {
     std::vector<Vertex_pair> edges;
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
-      for(int i = 0; i < 3 && f->is_in_domain(); ++i) {
-        const Vertex_handle u = f->vertex(Mesh::ccw(i)), v = f->vertex(Mesh::cw(i));
-        if(!f->is_constrained(i) && u->index() < v->index())
-          edges.emplace_back(u, v);
-      }
+    for(const Edge& e : m_mesh.edges_in_domain())
+      if(!m_mesh.is_constrained(e))
+        edges.emplace_back(e.first->vertex(Mesh::ccw(e.second)), e.first->vertex(Mesh::cw(e.second)));
     return edges;
   }
 

@@ -71,7 +71,7 @@ private:
       while(j < sorted.size() && sorted[j][0] == sorted[i][0] && sorted[j][1] == sorted[i][1])
         ++j;
       for(std::size_t k = i + (j - i) % 2; k < j; ++k)
-        m_roles[sorted[k][2]] = Piece_role::CONSTRAINT;
+        m_roles[sorted[k][2]] = Piece_role::DIVIDER;
       if((j - i) % 2 == 1 && sorted[i][0] != sorted[i][1])
         for(int k = 0; k < 2; ++k)
           m_incident[sorted[i][k]].push_back(sorted[i][2]);
@@ -168,7 +168,7 @@ private:
     for(std::size_t v : component)
       for(std::size_t edge : m_incident[v])
         if(outer.count(edge) == 0)
-          m_roles[edge] = Piece_role::CONSTRAINT;
+          m_roles[edge] = Piece_role::DIVIDER;
   }
 
   Half_edge start_of_outer_cycle(const std::vector<std::size_t>& component) const

@@ -11,13 +11,14 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Domain_piece_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/exact_predicates.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tilted_box.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -60,9 +61,9 @@ public:
   }
 
 private:
-  typedef Exact_predicates_kernel_of<K>                                 Exact;
-  typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t>   Box;
-  typedef std::pair<double, Point_2>                                    Cut;   // parameter, point
+  typedef Exact_predicates_kernel_of<K>     Exact;
+  typedef Tilted_box                        Box;
+  typedef std::pair<double, Point_2>        Cut; // parameter, point
   static constexpr int samples = 64;
   static constexpr double rounding = 1.4210854715202004e-14; // 2^-46, of the coordinates
 
@@ -70,21 +71,32 @@ private:
   static double y(const Point_2& p) { return CGAL::to_double(p.y()); }
   static double distance(const Point_2& p, const Point_2& q) { return std::hypot(x(p) - x(q), y(p) - y(q)); }
 
-  static Bbox_2 bounds(const Curve_piece_2<K>& curve)
+  static std::vector<Bbox_2> sampled(const Curve_piece_2<K>& curve)
   {
-    Bbox_2 b = curve.source().bbox() + curve.target().bbox();
-    const int n = curve.is_straight() ? 1 : samples;
-    for(int i = 1; i < n; ++i)
-      b += curve.point(double(i) / n).bbox();
-    const double size = (std::max)(b.xmax() - b.xmin(), b.ymax() - b.ymin());
-    const double margin = (curve.is_straight() ? 0 : size / samples) + tolerance(b);
-    return Bbox_2(b.xmin() - margin, b.ymin() - margin, b.xmax() + margin, b.ymax() + margin);
+    std::vector<Bbox_2> boxes(1, curve.source().bbox());
+    for(int i = 1; i < samples && !curve.is_straight(); ++i)
+      boxes.push_back(curve.point(double(i) / samples).bbox());
+    boxes.push_back(curve.target().bbox());
+    return boxes;
   }
 
+  // the rounding of the largest coordinate
   static double tolerance(const Bbox_2& b)
   {
     return rounding * (std::max)((std::max)(std::abs(b.xmin()), std::abs(b.xmax())),
                                  (std::max)(std::abs(b.ymin()), std::abs(b.ymax())));
+  }
+
+  Box piece_box(std::size_t i)
+  {
+    const Curve_piece_2<K>& curve = m_pieces[i].curve;
+    const std::vector<Bbox_2> boxes = sampled(curve);
+    Bbox_2 b;
+    for(const Bbox_2& part : boxes)
+      b += part;
+    m_tolerances.push_back(tolerance(b));
+    const double size = (std::max)(b.xmax() - b.xmin(), b.ymax() - b.ymin());
+    return tilted_box(boxes, (curve.is_straight() ? 0 : size / samples) + m_tolerances.back(), i);
   }
 
   void find_cuts()
@@ -92,19 +104,18 @@ private:
     std::vector<Box> pieces, ends;
     std::vector<const std::pair<const Point_2, bool>*> vertices;
     for(std::size_t i = 0; i < m_pieces.size(); ++i)
-      pieces.push_back(Box(bounds(m_pieces[i].curve), i));
+      pieces.push_back(piece_box(i));
     for(const auto& vertex : m_on_boundary) {
-      ends.push_back(Box(vertex.first.bbox(), vertices.size()));
+      ends.push_back(tilted_box(std::array<Bbox_2, 1>{vertex.first.bbox()}, 0, vertices.size()));
       vertices.push_back(&vertex);
     }
     CGAL::box_intersection_d(pieces.begin(), pieces.end(), ends.begin(), ends.end(),
                              [this, &vertices](const Box& piece, const Box& end) {
-      consider(piece.info(), Bbox_2(piece.min_coord(0), piece.min_coord(1), piece.max_coord(0), piece.max_coord(1)),
-               vertices[end.info()]->first, vertices[end.info()]->second);
+      consider(piece.info(), vertices[end.info()]->first, vertices[end.info()]->second);
     });
   }
 
-  void consider(std::size_t i, const Bbox_2& b, const Point_2& p, bool on_boundary)
+  void consider(std::size_t i, const Point_2& p, bool on_boundary)
   {
     const Curve_piece_2<K>& curve = m_pieces[i].curve;
     if(p == curve.source() || p == curve.target())
@@ -116,7 +127,7 @@ private:
       m_cuts[i].push_back(Cut(projection(curve, p), p));
     } else if(!on_boundary) {
       const double t = curve.is_straight() ? projection(curve, p) : nearest_parameter(curve, p);
-      const double allowed = tolerance(b);
+      const double allowed = m_tolerances[i];
       if(distance(curve.point(t), p) <= allowed && distance(curve.source(), p) > allowed
          && distance(curve.target(), p) > allowed)
         m_cuts[i].push_back(Cut(t, p));
@@ -178,6 +189,7 @@ private:
 
   const Pieces&                      m_pieces;
   std::map<Point_2, bool>            m_on_boundary; // of each end point: whether a boundary piece ends there
+  std::vector<double>                m_tolerances;  // of each piece
   std::vector<std::vector<Cut> >     m_cuts;
 };
 

@@ -10,9 +10,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -27,7 +24,8 @@ namespace Anisotropic_mesh_2 {
 namespace internal {
 
 // Finds the triangle that holds a point, or the nearest one, and the
-// barycentric coordinates there. Queries are const and keep no state.
+// barycentric coordinates there, by a balanced tree of bounding boxes. Queries
+// are const and keep no state.
 template <class K>
 class Triangle_locator_2
 {
@@ -47,33 +45,77 @@ public:
   {
     if(triangles.empty())
       throw std::invalid_argument("the background mesh has no triangles");
-    std::vector<Entry> entries;
-    entries.reserve(triangles.size());
-    for(std::size_t i = 0; i < triangles.size(); ++i) {
+    for(std::size_t i = 0; i < triangles.size(); ++i)
       orient(i);
-      entries.emplace_back(box_of(m_triangles[i]), i);
-    }
-    m_tree = Tree(entries); // packed
+    build(0, m_triangles.size());
   }
 
+  // Visits the nearer boxes first and those only that can hold something
+  // nearer than what was found.
   Place locate(const Point_2& p) const
   {
     const Xy q = xy(p);
-    const Tree_point at(q[0], q[1]);
-    for(auto it = m_tree.qbegin(boost::geometry::index::intersects(at)); it != m_tree.qend(); ++it)
-      if(contains(m_triangles[it->second], p))
-        return inner_place(m_triangles[it->second], q);
-    return nearest_place(q, at);
+    std::array<std::size_t, max_depth> stack = {0};
+    std::size_t size = 1;
+    Candidate best = {std::numeric_limits<double>::infinity(), {m_triangles[0], {1, 0, 0}}};
+    while(size > 0 && best.squared_distance > 0) {
+      const std::size_t at = stack[--size];
+      const Node& node = m_nodes[at];
+      if(node.box.squared_distance(q) >= best.squared_distance)
+        continue;
+      if(node.second_child == 0)
+        search_leaf(node, p, q, best);
+      else {
+        std::size_t near = at + 1, far = node.second_child;
+        if(m_nodes[far].box.squared_distance(q) < m_nodes[near].box.squared_distance(q))
+          std::swap(near, far);
+        stack[size++] = far;
+        stack[size++] = near;
+      }
+    }
+    return best.place;
   }
 
 private:
-  typedef std::array<double, 2>                                                  Xy;
-  typedef boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian> Tree_point;
-  typedef boost::geometry::model::box<Tree_point>                                Box;
-  typedef std::pair<Box, std::size_t>                                            Entry;
-  typedef boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16>> Tree;
+  typedef std::array<double, 2> Xy;
+
+  struct Box
+  {
+    Xy low, high;
+
+    void add(const Xy& q)
+    {
+      for(int i = 0; i < 2; ++i) {
+        low[i] = (std::min)(low[i], q[i]);
+        high[i] = (std::max)(high[i], q[i]);
+      }
+    }
+
+    double squared_distance(const Xy& q) const
+    {
+      const double dx = (std::max)({low[0] - q[0], q[0] - high[0], 0.});
+      const double dy = (std::max)({low[1] - q[1], q[1] - high[1], 0.});
+      return dx*dx + dy*dy;
+    }
+  };
+
+  // The first child follows its parent; a leaf has no second.
+  struct Node
+  {
+    Box         box;
+    std::size_t begin, end, second_child;
+  };
+
+  struct Candidate
+  {
+    double squared_distance;
+    Place  place;
+  };
+
+  static constexpr std::size_t leaf_size = 4, max_depth = 128;
 
   static Xy xy(const Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
+  Xy xy(const Triangle& t, int i) const { return xy(m_points[t[i]]); }
 
   // makes the triangle counterclockwise
   void orient(std::size_t i)
@@ -91,11 +133,45 @@ private:
       std::swap(t[1], t[2]);
   }
 
-  Box box_of(const Triangle& t) const
+  // Halves the triangles by their centres along the longer side of the box.
+  void build(std::size_t begin, std::size_t end)
   {
-    const Xy a = xy(m_points[t[0]]), b = xy(m_points[t[1]]), c = xy(m_points[t[2]]);
-    return Box(Tree_point((std::min)({a[0], b[0], c[0]}), (std::min)({a[1], b[1], c[1]})),
-               Tree_point((std::max)({a[0], b[0], c[0]}), (std::max)({a[1], b[1], c[1]})));
+    const std::size_t at = m_nodes.size();
+    m_nodes.push_back(Node{box_of(begin, end), begin, end, 0});
+    if(end - begin <= leaf_size)
+      return;
+    const Box& box = m_nodes[at].box;
+    const int axis = box.high[0] - box.low[0] > box.high[1] - box.low[1] ? 0 : 1;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto triangle = [this](std::size_t i) { return m_triangles.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(triangle(begin), triangle(middle), triangle(end),
+                     [this, axis](const Triangle& s, const Triangle& t) { return centre(s, axis) < centre(t, axis); });
+    build(begin, middle);
+    m_nodes[at].second_child = m_nodes.size();
+    build(middle, end);
+  }
+
+  Box box_of(std::size_t begin, std::size_t end) const
+  {
+    Box box = {xy(m_triangles[begin], 0), xy(m_triangles[begin], 0)};
+    for(std::size_t i = begin; i < end; ++i)
+      for(int j = 0; j < 3; ++j)
+        box.add(xy(m_triangles[i], j));
+    return box;
+  }
+
+  double centre(const Triangle& t, int axis) const
+  {
+    return xy(t, 0)[axis] + xy(t, 1)[axis] + xy(t, 2)[axis];
+  }
+
+  void search_leaf(const Node& leaf, const Point_2& p, const Xy& q, Candidate& best) const
+  {
+    for(std::size_t i = leaf.begin; i < leaf.end && best.squared_distance > 0; ++i)
+      if(contains(m_triangles[i], p))
+        best = Candidate{0, inner_place(m_triangles[i], q)};
+      else
+        take_nearer_edge(m_triangles[i], q, best);
   }
 
   bool contains(const Triangle& t, const Point_2& p) const
@@ -114,58 +190,41 @@ private:
 
   Place inner_place(const Triangle& t, const Xy& q) const
   {
-    const Xy a = xy(m_points[t[0]]), b = xy(m_points[t[1]]), c = xy(m_points[t[2]]);
+    const Xy a = xy(t, 0), b = xy(t, 1), c = xy(t, 2);
     std::array<double, 3> w = {area(q, b, c), area(a, q, c), area(a, b, q)};
     for(double& x : w)
       x = (std::max)(x, 0.); // rounding
     const double sum = w[0] + w[1] + w[2];
-    if(!(sum > 0)) // so flat that its area is rounded away
-      return nearest_place_in(t, q).second;
+    if(!(sum > 0)) { // so flat that its area is rounded away
+      Candidate nearest = {std::numeric_limits<double>::infinity(), {t, {1, 0, 0}}};
+      take_nearer_edge(t, q, nearest);
+      return nearest.place;
+    }
     for(double& x : w)
       x /= sum;
     return Place{t, w};
   }
 
-  // Visits triangles by the distance of their boxes until no box can hold
-  // anything nearer.
-  Place nearest_place(const Xy& q, const Tree_point& at) const
+  void take_nearer_edge(const Triangle& t, const Xy& q, Candidate& best) const
   {
-    std::pair<double, Place> best(std::numeric_limits<double>::infinity(), Place{m_triangles[0], {1, 0, 0}});
-    const unsigned all = static_cast<unsigned>((std::min)(m_tree.size(),
-      static_cast<std::size_t>((std::numeric_limits<unsigned>::max)())));
-    for(auto it = m_tree.qbegin(boost::geometry::index::nearest(at, all)); it != m_tree.qend(); ++it) {
-      if(boost::geometry::comparable_distance(at, it->first) > best.first)
-        break;
-      const std::pair<double, Place> place = nearest_place_in(m_triangles[it->second], q);
-      if(place.first < best.first)
-        best = place;
-    }
-    return best.second;
-  }
-
-  // the nearest point on the edges, with its squared distance
-  std::pair<double, Place> nearest_place_in(const Triangle& t, const Xy& q) const
-  {
-    std::pair<double, Place> best(std::numeric_limits<double>::infinity(), Place{t, {1, 0, 0}});
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
-      const Xy a = xy(m_points[t[i]]), b = xy(m_points[t[j]]);
+      const Xy a = xy(t, i), b = xy(t, j);
       const double ux = b[0] - a[0], uy = b[1] - a[1], vx = q[0] - a[0], vy = q[1] - a[1];
       const double uu = ux*ux + uy*uy;
       const double s = uu > 0 ? (std::min)(1., (std::max)(0., (ux*vx + uy*vy) / uu)) : 0.;
-      const double dx = vx - s*ux, dy = vy - s*uy, distance = dx*dx + dy*dy;
-      if(distance < best.first) {
-        best = {distance, Place{t, {0, 0, 0}}};
-        best.second.weights[i] = 1 - s;
-        best.second.weights[j] = s;
+      const double dx = vx - s*ux, dy = vy - s*uy, squared_distance = dx*dx + dy*dy;
+      if(squared_distance < best.squared_distance) {
+        best = Candidate{squared_distance, {t, {0, 0, 0}}};
+        best.place.weights[i] = 1 - s;
+        best.place.weights[j] = s;
       }
     }
-    return best;
   }
 
   std::vector<Point_2>  m_points;
   std::vector<Triangle> m_triangles;
-  Tree                  m_tree;
+  std::vector<Node>     m_nodes;
 };
 
 } // namespace internal

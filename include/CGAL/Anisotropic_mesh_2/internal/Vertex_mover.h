@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_MOVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 
 #include <CGAL/number_utils.h>
 
@@ -76,7 +77,7 @@ public:
       m_free[i]->set_point(Point(target[i].x, target[i].y));
     untangle(start, target);
     evaluate_tensors();
-    restore_criterion();
+    restore_connectivity(m_mesh);
   }
 
 private:
@@ -143,16 +144,6 @@ private:
     const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
     for(Vertex_handle v : m_free)
       v->set_metric_tensor(tensor(v->point()));
-  }
-
-  void restore_criterion()
-  {
-    std::vector<Edge> edges; // each from the side where its vertices are in the order of their indices
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
-      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
-        if(f->vertex(Mesh::ccw(i))->index() < f->vertex(Mesh::cw(i))->index())
-          edges.push_back(Edge(f, i));
-    m_mesh.restore_local_criterion(std::move(edges));
   }
 
   Mesh& m_mesh;

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REINSERTER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REINSERTER_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
 
@@ -52,6 +53,7 @@ public:
       v->set_index(m_free[i]->index());
       hint = v->face();
     }
+    restore_connectivity(next);
     m_mesh.swap(next);
     m_free = internal::free_vertices(m_mesh);
   }

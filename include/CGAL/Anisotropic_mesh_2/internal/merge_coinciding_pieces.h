@@ -48,7 +48,7 @@ bool coincide(const Curve_piece_2<K>& a, const Curve_piece_2<K>& b)
 
 // Leaves one of the pieces that lie in the same place. With the even-odd rule
 // two boundary pieces cancel; otherwise boundary wins over inner curves, and
-// a given inner curve over a canceled boundary.
+// a given inner curve over boundaries that cancel.
 template <class K>
 std::vector<Domain_piece_2<K> > merge_coinciding_pieces(const std::vector<Domain_piece_2<K> >& pieces,
                                                         Domain_rule rule)
@@ -70,7 +70,7 @@ std::vector<Domain_piece_2<K> > merge_coinciding_pieces(const std::vector<Domain
     Domain_piece_2<K>& kept = result[*twin];
     const bool is_boundary = piece.role == Piece_role::BOUNDARY;
     if(is_boundary && kept.role == Piece_role::BOUNDARY && rule == Domain_rule::EVEN_ODD)
-      kept.role = Piece_role::CANCELED;
+      kept.role = Piece_role::DIVIDER;
     else if(is_boundary || (piece.role == Piece_role::CONSTRAINT && kept.role != Piece_role::BOUNDARY))
       kept = piece;
   }

@@ -15,8 +15,6 @@
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
-#include <type_traits>
-
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
@@ -28,7 +26,6 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
 
   Stopping_criteria criteria;
   criteria.number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
@@ -39,13 +36,11 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
   CGAL_precondition(criteria.convergence >= 0);
   const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
 
-  Default_optimization_visitor default_visitor;
-  auto&& visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  typedef std::remove_reference_t<decltype(visitor)> Visitor;
+  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_optimization_visitor());
 
   Acvt_energy<Mesh> energy(mesh, measure);
   Mover mover(mesh);
-  Acvt_optimizer<Mesh, Acvt_energy<Mesh>, Mover, Visitor> optimizer(energy, mover, criteria, visitor);
+  Acvt_optimizer<Mesh, Acvt_energy<Mesh>, Mover, decltype(visitor)> optimizer(energy, mover, criteria, visitor);
   return method(optimizer);
 }
 

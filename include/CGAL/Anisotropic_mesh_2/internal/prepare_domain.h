@@ -148,7 +148,7 @@ private:
       kept.push_back(Piece{piece.curve, Piece_role::CONSTRAINT, piece.number});
     else if(piece.role == Piece_role::CONSTRAINT)
       refuse(describe(piece) + " lies outside the domain");
-    else if(piece.role != Piece_role::CANCELED)
+    else if(piece.role != Piece_role::DIVIDER)
       outside.push_back(piece);
   }
 

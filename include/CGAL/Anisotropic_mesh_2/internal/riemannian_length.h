@@ -86,7 +86,7 @@ private:
 // each is shorter than the threshold 0.1, then those with the largest error
 // estimate until the estimates add up to 10^-8 of the length. The number of
 // panels is bounded, whatever the metric does: jumps cost about 30 panels each,
-// and pieces of more than 10^4 unit edges get panels longer than the threshold.
+// and pieces of more than 2000 unit edges get panels longer than the threshold.
 template <class K, class Field>
 class Riemannian_length_2
 {
@@ -140,7 +140,7 @@ private:
   static constexpr double      relative_tolerance = 1e-8;
   static constexpr double      smallest_step = 1e-14;
   static constexpr int         first_panels = 7;            // odd: symmetric features are not skipped
-  static constexpr double      many_panels = 1e5;
+  static constexpr double      many_panels = 2e4;
   static constexpr int         accuracy_bisections = 4096;
 
   // a panel with its speed as a quadratic polynomial, normalized to length 1

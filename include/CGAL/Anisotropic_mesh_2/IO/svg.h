@@ -1,0 +1,88 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_IO_SVG_H
+#define CGAL_ANISOTROPIC_MESH_2_IO_SVG_H
+
+#include <CGAL/Anisotropic_mesh_2/IO/internal/domain_graph.h>
+#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_mesh.h>
+#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_tessellation.h>
+#include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
+#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
+#include <CGAL/Anisotropic_mesh_2/Voronoi_cell_2.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace IO {
+
+/// \addtogroup PkgAnisotropicMesh2IO
+/// @{
+
+/// draws the domain of a triangulation as a Scalable Vector Graphics file,
+/// 800 pixels wide.
+///
+/// Subdomains are softly filled. The width of the edges follows the size of
+/// the triangles around them, so that graded and very anisotropic meshes stay
+/// readable; the boundary and inner constraints are thick.
+///
+/// \tparam Tr a constrained triangulation of \cgal whose faces have a member
+/// `bool is_in_domain() const` and possibly `int subdomain_index() const`
+template <class Tr>
+void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::string())
+{
+  const auto no_reference = [](const typename Tr::Edge&) { return 0; };
+  const Anisotropic_mesh_2::internal::Domain_graph graph
+    = Anisotropic_mesh_2::internal::domain_graph(tr, no_reference);
+  Anisotropic_mesh_2::internal::Svg_mesh(graph, std::vector<double>()).write(os, title);
+}
+
+/// draws the domain of a triangulation with triangles colored by quality, and
+/// a legend.
+///
+/// \tparam Quality a functor `double(Tr::Face_handle)` whose values lie between
+/// 0 (worst) and 1 (best)
+template <class Tr, class Quality>
+void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Quality& quality)
+{
+  const auto no_reference = [](const typename Tr::Edge&) { return 0; };
+  const Anisotropic_mesh_2::internal::Domain_graph graph
+    = Anisotropic_mesh_2::internal::domain_graph(tr, no_reference);
+  std::vector<double> qualities;
+  for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)
+    if(f->is_in_domain())
+      qualities.push_back(quality(typename Tr::Face_handle(f)));
+  Anisotropic_mesh_2::internal::Svg_mesh(graph, qualities).write(os, title);
+}
+
+/// draws a tessellation: its regions in soft colors, different for neighbors,
+/// the generators as dots, and the boundary of the domain.
+template <class K>
+void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Voronoi_cell_2<K>>& cells,
+               const std::string& title = std::string())
+{
+  Anisotropic_mesh_2::internal::Svg_tessellation<K>(cells).write(os, title);
+}
+
+/// draws a triangulation or a tessellation to a file, which appears under its
+/// name only when it is complete. The further arguments are those of the
+/// functions that write to a stream.
+/// \throw Mesh_io_exception if the file cannot be written.
+template <class Drawing, class... Args>
+void write_SVG(const std::string& file, const Drawing& drawing, const Args&... args)
+{
+  Anisotropic_mesh_2::internal::write_safely(
+    file, [&](std::ostream& os) { CGAL::IO::write_SVG(os, drawing, args...); });
+}
+
+/// @}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_IO_SVG_H

@@ -1,0 +1,104 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_RESTORE_CONNECTIVITY_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_RESTORE_CONNECTIVITY_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// Decides which edges of a mesh are to be flipped, the vertices being where
+// they are.
+//
+// Where the tensors of the four vertices around an edge are much the same, the
+// criterion of the triangulation decides. Where they are not, that criterion
+// says little about the faces in between; there the flip must raise the lower
+// quality of the two faces in the metric at their barycentres.
+template <class Mesh>
+class Flip_rule
+{
+  typedef typename Mesh::Point           Point;
+  typedef typename Mesh::Edge            Edge;
+  typedef typename Mesh::Vertex_handle   Vertex_handle;
+
+public:
+  explicit Flip_rule(const Mesh& mesh)
+    : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
+      m_free_flips(4 * mesh.number_of_faces())
+  {}
+
+  bool operator()(const Edge& e)
+  {
+    if(!m_mesh.is_flippable(e.first, e.second))
+      return false;
+    const Edge m = m_mesh.mirror_edge(e);
+    const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
+    const Vertex_handle a = e.first->vertex(Mesh::ccw(e.second)), b = e.first->vertex(Mesh::cw(e.second));
+    if(!is_rough(p, q, a, b) && m_flips <= m_free_flips) {
+      if(m_mesh.is_locally_Delaunay(e.first, e.second))
+        return false;
+      ++m_flips;
+      return true;
+    }
+    return raises_quality(p, q, a, b);
+  }
+
+private:
+  static constexpr double roughness = 0.8;
+
+  static bool is_rough(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b)
+  {
+    const Weighted_tensor m(Symmetric_form(p->metric_tensor()), false);
+    for(Vertex_handle v : {q, a, b})
+      if(m.distance_to(Weighted_tensor(Symmetric_form(v->metric_tensor()), false)) > roughness)
+        return true;
+    return false;
+  }
+
+  // Strictly and by more than rounding errors, so that such flips come to an end.
+  bool raises_quality(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b) const
+  {
+    const double before = std::min(quality(p, a, b), quality(q, b, a));
+    const double after = std::min(quality(p, a, q), quality(q, b, p));
+    return after > before * (1 + 1e-9);
+  }
+
+  double quality(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
+  {
+    const Point &a = u->point(), &b = v->point(), &c = w->point();
+    const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
+    return metric_quality(a, b, c, Symmetric_form(m_tensor(barycentre)));
+  }
+
+  const Mesh& m_mesh;
+  const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
+  const std::size_t m_free_flips;
+  std::size_t m_flips = 0;
+};
+
+// Flips edges of the domain until no flip is wanted any more. Flips by the
+// criterion of the triangulation might follow each other in a circle; after
+// many of them only those that raise qualities go on, which end.
+template <class Mesh>
+void restore_connectivity(Mesh& mesh)
+{
+  Flip_rule<Mesh> rule(mesh);
+  mesh.flip_edges(mesh.edges_in_domain(), [&](const typename Mesh::Edge& e) { return rule(e); });
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_RESTORE_CONNECTIVITY_H

@@ -1,0 +1,270 @@
+// The energy and the moments of the regions against their definitions, and the optimizers.
+
+#include "check.h"
+#include "brute_force_acvt.h"
+#include "meshes.h"
+
+#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace CGAL::Anisotropic_mesh_2::internal;
+using CGAL::Anisotropic_mesh_2::Measure;
+namespace np = CGAL::Anisotropic_mesh_2::parameters;
+
+typedef Brute_force_acvt<Field, Point> Brute_force;
+
+std::vector<Point> generators_of(const Mesh& mesh)
+{
+  std::vector<Point> points(mesh.number_of_vertices());
+  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
+    points[v->index()] = v->point();
+  return points;
+}
+
+Brute_force brute_force_of(const Mesh& mesh, const Field& field, Measure measure, int k)
+{
+  Brute_force result(field, measure == Measure::RIEMANNIAN);
+  for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
+    if(f->is_in_domain())
+      result.add_triangle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(), k);
+  return result;
+}
+
+// The mass centres and the energy of the fast assembly against those of dense
+// samples, on optimized meshes.
+void test_moments(const Case& c, Measure measure, double energy_tolerance, double pull_tolerance)
+{
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  CGAL::acvt_optimize_mesh_2(mesh, np::measure(measure).number_of_iterations(20));
+  std::vector<Region_moments> moments;
+  const double energy = Acvt_energy<Mesh>(mesh, measure)(moments);
+
+  std::vector<Brute_force::Moments> exact;
+  const double exact_energy = brute_force_of(mesh, c.field, measure, 20)(generators_of(mesh), exact);
+  CHECK_MSG(std::abs(energy / exact_energy - 1) < energy_tolerance,
+            c.name + ": " + std::to_string(energy) + " against " + std::to_string(exact_energy));
+
+  double sum = 0;
+  const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
+  for(Mesh::Vertex_handle v : vertices) {
+    double x, y, ex, ey;
+    moments[v->index()].pull(x, y);
+    exact[v->index()].pull(ex, ey);
+    sum += std::sqrt(v->metric_tensor().squared_length(x - ex, y - ey));
+  }
+  CHECK_MSG(sum / double(vertices.size()) < pull_tolerance,
+            c.name + ": mean error of the mass centres " + std::to_string(sum / double(vertices.size())));
+}
+
+// dF/dz = -2 A pull, where F and the moments come from dense samples given to
+// the nearest of all generators: so Lloyd's step is a preconditioned gradient step.
+void test_gradient()
+{
+  const Case c = paper_cases()[1];
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  const Brute_force brute_force = brute_force_of(mesh, c.field, Measure::RIEMANNIAN, 24);
+  std::vector<Point> generators = generators_of(mesh);
+  std::vector<Brute_force::Moments> moments, ignored;
+  brute_force(generators, moments);
+  const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
+  double error = 0, norm = 0;
+  for(std::size_t i = 0; i < vertices.size(); i += vertices.size() / 12) {
+    const Mesh::Vertex_handle v = vertices[i];
+    const Point z = v->point();
+    for(int axis = 0; axis < 2; ++axis) {
+      const double step = 0.02 * v->metric_tensor().sizes().h1;
+      const CGAL::Vector_2<K> d(axis == 0 ? step : 0, axis == 0 ? 0 : step);
+      generators[v->index()] = z + d;
+      const double up = brute_force(generators, ignored);
+      generators[v->index()] = z - d;
+      const double down = brute_force(generators, ignored);
+      generators[v->index()] = z;
+      const double difference = (up - down) / 2;
+      const double gradient = -2 * (axis == 0 ? moments[v->index()].gx : moments[v->index()].gy) * step;
+      error += (difference - gradient) * (difference - gradient);
+      norm += difference * difference;
+    }
+  }
+  CHECK_MSG(std::sqrt(error / norm) < 0.03, "relative error of the gradient " + std::to_string(std::sqrt(error / norm)));
+}
+
+// A generator in the centre of regular hexagons: energy and mass centre in closed form, in any constant metric.
+void test_constant_metric_in_closed_form()
+{
+  const Field field = [](const Point&) { return Tensor::from_entries(4, 0, 1); };
+  Mesh mesh{CGAL::Riemannian_metric_traits_2<K, Field>(field)};
+  Mesh::Boundary_mesh boundary; // a regular hexagon with unit sides in the metric, stretched
+  for(int i = 0; i < 6; ++i) {
+    boundary.points.push_back(Point(std::cos(i * std::acos(-1.) / 3) / 2, std::sin(i * std::acos(-1.) / 3)));
+    boundary.segments.push_back({std::size_t(i), std::size_t(i + 1) % 6, 1, true});
+  }
+  mesh.insert_boundary(boundary);
+  CGAL::refine_anisotropic_mesh_2(mesh);
+  CHECK(mesh.number_of_vertices() == 7);
+  std::vector<Region_moments> moments;
+  Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments);
+  // the cell of the centre is a hexagon of area sqrt(3)/2 in the metric, 2*det = 2 per unit of it
+  const Region_moments& centre = moments[6];
+  CHECK(std::abs(centre.a.a - 4 * std::sqrt(3.) / 2) < 1e-12);
+  CHECK(std::abs(centre.a.c - 1 * std::sqrt(3.) / 2) < 1e-12);
+  CHECK(std::abs(centre.gx) < 1e-12 && std::abs(centre.gy) < 1e-12);
+}
+
+// The closed form for acute elements and the general clipping agree: to rounding
+// where the tensor is constant, else to the accuracy of their quadratures.
+void test_both_integrators(double variation, double tolerance)
+{
+  Acvt_element e;
+  e.corner = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
+  e.middle = Weighted_tensor(Symmetric_form(1, 0.05, 1.1), true);
+  for(int i = 0; i < 3; ++i)
+    e.tensor[i] = Weighted_tensor(Symmetric_form(1 + variation * (i - 1), 0.05 + variation * i, 1.1), true);
+  e.prepare_interpolation();
+  std::array<Region_moments, 3> m, n;
+  Acute_element_integrator acute;
+  CHECK(acute.prepare(e));
+  const double energy = acute(e, {&m[0], &m[1], &m[2]});
+  Clipped_element_integrator::Generators generators;
+  for(int i = 0; i < 3; ++i)
+    generators.push_back({e.corner[i], &n[i], {}});
+  const double clipped = Clipped_element_integrator()(e, generators);
+  CHECK_MSG(std::abs(energy / clipped - 1) < tolerance, std::to_string(energy / clipped));
+  for(int i = 0; i < 3; ++i) {
+    CHECK(std::abs(m[i].a.a / n[i].a.a - 1) < tolerance);
+    CHECK(std::hypot(m[i].gx - n[i].gx, m[i].gy - n[i].gy) < tolerance);
+  }
+}
+
+void check_mesh(const Mesh& mesh, const Mesh& start, const std::string& name)
+{
+  CHECK_MSG(mesh.is_valid(true), name);
+  CHECK_MSG(mesh.number_of_vertices() == start.number_of_vertices(), name);
+  CHECK_MSG(mesh.number_of_faces_in_domain() == start.number_of_faces_in_domain(), name);
+  CHECK_MSG(std::abs(area_of(mesh) / area_of(start) - 1) < 1e-12, name);
+  std::size_t moved = 0;
+  const std::vector<Point> before = generators_of(start), after = generators_of(mesh);
+  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v) {
+    CHECK(v->metric_tensor() == mesh.geom_traits().metric_field()(v->point()));
+    if(mesh.is_fixed(v))
+      CHECK_MSG(before[v->index()] == after[v->index()], name);
+    else
+      moved += before[v->index()] != after[v->index()];
+  }
+  CHECK_MSG(moved > 0, name);
+}
+
+// The quasi-Newton method is not worse than Lloyd's iteration after as many steps.
+void test_lloyd(const Case& c, double rise)
+{
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  Mesh mesh = start;
+  CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(12))
+        == CGAL::MAX_ITERATION_NUMBER_REACHED);
+  check_mesh(mesh, start, c.name + " by Lloyd's iteration");
+
+  Mesh quick = start;
+  CGAL::acvt_optimize_mesh_2(quick, np::convergence(0.).number_of_iterations(12));
+  check_mesh(quick, start, c.name + " by the quasi-Newton method");
+  std::vector<Region_moments> ignored;
+  const double lloyd = Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(ignored);
+  const double newton = Acvt_energy<Mesh>(quick, Measure::RIEMANNIAN)(ignored);
+  const double before = Acvt_energy<Mesh>(start, Measure::RIEMANNIAN)(ignored);
+  CHECK(lloyd < before);
+  CHECK_MSG(newton < lloyd * (1 + rise), c.name);
+}
+
+class Monotone_visitor
+{
+public:
+  explicit Monotone_visitor(double& largest_rise) : m_largest_rise(&largest_rise) {}
+
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
+  {
+    if(m_last > 0)
+      *m_largest_rise = std::max(*m_largest_rise, s.energy / m_last - 1);
+    m_last = s.energy;
+    return true;
+  }
+
+private:
+  double* m_largest_rise;
+  double m_last = 0;
+};
+
+// Lloyd's iteration lowers the energy in every step; the assembly takes part in
+// that to its accuracy, which is perfect for a constant metric.
+void test_energy_falls()
+{
+  for(const Case& c : paper_cases()) {
+    if(c.name == "square10")
+      continue; // the metric doubles within an element there
+    Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+    double rise = 0;
+    CGAL::lloyd_optimize_anisotropic_mesh_2
+      (mesh, np::convergence(0.).number_of_iterations(25).visitor(Monotone_visitor(rise)));
+    const bool is_constant = c.name == "disc" || c.name == "parallelogram";
+    CHECK_MSG(rise < (is_constant ? 1e-9 : 5e-4), c.name + ": " + std::to_string(rise));
+  }
+}
+
+class Stopping_visitor
+{
+public:
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s) const { return s.iteration < 3; }
+};
+
+void test_return_codes()
+{
+  const Case c = paper_cases()[4];
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  Mesh mesh = start;
+  CHECK(CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(0)) == CGAL::MAX_ITERATION_NUMBER_REACHED);
+  CHECK(generators_of(mesh) == generators_of(start));
+  CHECK(CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).visitor(Stopping_visitor())) == CGAL::BOUND_REACHED);
+  CHECK(CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(100000).maximum_running_time(1e-9))
+        == CGAL::TIME_LIMIT_REACHED);
+  CHECK(mesh.is_valid());
+  CHECK(CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.01).number_of_iterations(1000)) == CGAL::CONVERGENCE_REACHED);
+
+  const Field coarse = [](const Point&) { return Tensor::from_size(1000); };
+  Mesh empty = CGAL::make_anisotropic_mesh_2(c.domain, coarse);
+  CHECK(CGAL::acvt_optimize_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
+  CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
+}
+
+void test_determinism()
+{
+  for(const Case& c : unit_square_cases()) {
+    Mesh first = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+    std::vector<std::vector<int> > scattering(997); // other addresses for the second mesh
+    Mesh second = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+    CHECK(generators_of(first) == generators_of(second));
+    CGAL::acvt_optimize_mesh_2(first, CGAL::parameters::number_of_iterations(10));
+    CGAL::acvt_optimize_mesh_2(second, CGAL::parameters::number_of_iterations(10));
+    CHECK(generators_of(first) == generators_of(second));
+  }
+}
+
+int main()
+{
+  const std::vector<Case> cases = paper_cases();
+  test_constant_metric_in_closed_form();
+  test_both_integrators(0, 1e-14);
+  test_both_integrators(0.1, 5e-3);
+  test_moments(cases[4], Measure::RIEMANNIAN, 0.003, 0.005);
+  test_moments(cases[1], Measure::RIEMANNIAN, 0.005, 0.01);
+  test_moments(cases[1], Measure::LEBESGUE, 0.005, 0.01);
+  test_moments(cases[2], Measure::RIEMANNIAN, 0.005, 0.01);
+  test_gradient();
+  test_lloyd(cases[0], 0);
+  test_lloyd(cases[1], 1e-3);
+  test_energy_falls();
+  test_return_codes();
+  test_determinism();
+  return finish();
+}
