@@ -114,6 +114,7 @@ public:
         if(f->is_constrained(i) && u->index() < v->index())
           result.insert_constraint(copy(u), copy(v));
       }
+    result.set_vertex_index_bound(this->vertex_index_bound());
     result.mark_domain();
     return result;
   }
@@ -206,7 +207,6 @@ public:
     const bool in_domain = cavity.faces.front()->is_in_domain();
     const int subdomain = cavity.faces.front()->subdomain_index();
     const Vertex_handle v = this->insert_in_cavity(p, m, cavity);
-    v->set_index(static_cast<int>(this->number_of_vertices()) - 1);
     Face_circulator f = this->incident_faces(v), done(f);
     do {
       f->set_in_domain(in_domain);
@@ -249,8 +249,6 @@ private:
     Face_handle hint;
     for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order<Kernel>(points)) {
       vertices[i] = this->insert(points[i], hint);
-      if(vertices[i]->index() < 0)
-        vertices[i]->set_index(static_cast<int>(this->number_of_vertices()) - 1);
       hint = vertices[i]->face();
     }
     return vertices;

@@ -15,7 +15,8 @@ namespace CGAL {
 ///
 /// The vertex base of anisotropic triangulations: it keeps the metric tensor of
 /// the vertex's position, so that the field is evaluated once per vertex, and
-/// an index at the user's disposal.
+/// its index, which stays the same while the vertex moves and when an optimizer
+/// builds the triangulation anew.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Vb a model of `TriangulationVertexBase_2`.
@@ -46,8 +47,7 @@ public:
   const Metric_tensor_2& metric_tensor() const { return m_tensor; }
   void set_metric_tensor(const Metric_tensor_2& m) { m_tensor = m; }
 
-  /// a number at the user's disposal; the mesh generators number the vertices
-  /// in the order of their insertion.
+  /// the rank of the vertex in the order of insertion.
   int index() const { return m_index; }
   void set_index(int i) { m_index = i; }
 

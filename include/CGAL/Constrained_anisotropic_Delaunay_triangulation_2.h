@@ -129,7 +129,7 @@ public:
       return insert_in_cavity(p, m, cavity);
     }
     const Vertex_handle v = Constrained_triangulation::insert(p, lt, f, li);
-    v->set_metric_tensor(m);
+    initialize(v, m);
     if(dimension() == 2)
       restore_star(v);
     return v;
@@ -168,6 +168,29 @@ public:
     }
     if(close && v != start)
       insert_constraint(v, start);
+  }
+  /// @}
+
+  /// \name Indices
+  /// Vertices are numbered in the order of their insertion.
+  /// @{
+
+  /// a number larger than the index of any vertex; the next vertex gets it as its index.
+  int vertex_index_bound() const { return m_vertex_index_bound; }
+
+  /// makes `bound` the index of the next vertex.
+  void set_vertex_index_bound(int bound) { m_vertex_index_bound = bound; }
+
+  void clear()
+  {
+    Constrained_triangulation::clear();
+    m_vertex_index_bound = 0;
+  }
+
+  void swap(Constrained_anisotropic_Delaunay_triangulation_2& other)
+  {
+    Constrained_triangulation::swap(other);
+    std::swap(m_vertex_index_bound, other.m_vertex_index_bound);
   }
   /// @}
 
@@ -232,7 +255,7 @@ public:
   {
     const Vertex_handle v = this->star_hole(p, cavity.boundary.begin(), cavity.boundary.end(),
                                             cavity.faces.begin(), cavity.faces.end());
-    v->set_metric_tensor(m);
+    initialize(v, m);
     return v;
   }
   /// @}
@@ -371,6 +394,12 @@ protected:
   }
 
 private:
+  void initialize(Vertex_handle v, const Metric_tensor_2& m)
+  {
+    v->set_metric_tensor(m);
+    v->set_index(m_vertex_index_bound++);
+  }
+
   bool is_in_conflict(Face_handle f, Vertex_handle v) const
   {
     return is_in_conflict(f, v->point(), v->metric_tensor());
@@ -451,6 +480,8 @@ private:
       std::cerr << "Constrained_anisotropic_Delaunay_triangulation_2: " << what << std::endl;
     return false;
   }
+
+  int m_vertex_index_bound = 0;
 };
 
 } // namespace CGAL

@@ -46,7 +46,7 @@ public:
 private:
   void count()
   {
-    std::vector<bool> is_used(m_mesh.number_of_vertices(), false);
+    std::vector<bool> is_used(m_mesh.vertex_index_bound(), false);
     for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
       if(f->is_in_domain()) {
         ++m_result.triangles;

@@ -19,6 +19,7 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -91,9 +92,12 @@ public:
 
   const typename Gt::Metric_tensor_2& metric_tensor() const { return m_tensor; }
   void set_metric_tensor(const typename Gt::Metric_tensor_2& m) { m_tensor = m; }
+  int index() const { return m_index; }
+  void set_index(int i) { m_index = i; }
 
 private:
   typename Gt::Metric_tensor_2 m_tensor;
+  int m_index = 0;
 };
 
 typedef CGAL::Triangulation_vertex_base_with_info_2<std::string, Traits>                   Vertex_with_info;
@@ -110,11 +114,10 @@ typedef Triangulation<Poorest_vertex_base<Traits>, CGAL::Constrained_triangulati
 typedef Triangulation<Poorest_vertex_base<Traits, Vertex_with_info>, Face_with_info>                      Poor_with_info;
 typedef Triangulation<Rich_vertex, Rich_face>                                                             Rich;
 
-// with constructions for constraints that cross, in an exact and in an inexact way
+// with constructions for constraints that cross
 typedef CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Traits, CGAL::Default,
                                                                CGAL::Exact_predicates_tag>                Crossing;
 
-// Traits::Metric_tensor_2 is a tensor of K, and a user may have none but these
 static_assert(std::is_same<Poorest::Metric_tensor_2, Tensor>::value, "");
 static_assert(std::is_same<Rich::Geom_traits, Traits>::value, "");
 static_assert(std::is_copy_constructible<Rich>::value && std::is_copy_assignable<Rich>::value, "");
@@ -141,8 +144,12 @@ void test_triangulation()
   const T t = filled<T>();
   CHECK(t.is_valid(true) && t.dimension() == 2);
   const auto tensor = t.geom_traits().construct_metric_tensor_2_object();
-  for(auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v)
+  std::set<int> indices;
+  for(auto v = t.finite_vertices_begin(); v != t.finite_vertices_end(); ++v) {
     CHECK(v->metric_tensor() == tensor(v->point()));
+    indices.insert(v->index());
+  }
+  CHECK(indices.size() == t.number_of_vertices());
   T copy;
   copy = t;
   CHECK(copy.is_valid() && copy.number_of_vertices() == t.number_of_vertices());

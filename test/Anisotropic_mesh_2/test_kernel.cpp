@@ -543,6 +543,33 @@ private:
   }
 };
 
+// Conflicts are decided by the tensors of the point and of the three vertices.
+void test_conflicts()
+{
+  int in_conflict = 0, by_one_tensor_otherwise = 0;
+  Random_numbers random(9);
+  for(int i = 0; i < 500; ++i) {
+    typedef Triangulation<Epick> T;
+    const T::Geom_traits traits(field_of<Epick>(chaotic));
+    const auto side = traits.side_of_metric_circle_2_object();
+    const auto tensor = traits.construct_metric_tensor_2_object();
+    T t(traits);
+    std::vector<Epick::Point_2> p;
+    for(int j = 0; j < 4; ++j)
+      p.push_back(point<Epick>(XY(random.real(0, 1), random.real(0, 1))));
+    if(CGAL::orientation(p[0], p[1], p[2]) != CGAL::LEFT_TURN)
+      continue;
+    t.insert(p.begin(), p.begin() + 3);
+    const auto m = tensor(p[3]);
+    const bool expected
+      = side(p[0], p[1], p[2], p[3], tensor(p[0]), tensor(p[1]), tensor(p[2]), m) == CGAL::ON_POSITIVE_SIDE;
+    CHECK(t.is_in_conflict(t.finite_faces_begin(), p[3], m) == expected);
+    in_conflict += expected;
+    by_one_tensor_otherwise += expected != (side(p[0], p[1], p[2], p[3], m, m, m, m) == CGAL::ON_POSITIVE_SIDE);
+  }
+  CHECK(in_conflict > 50 && by_one_tensor_otherwise > 20);
+}
+
 // a sequence of points and constraints for varying metrics
 Input small_input(int n, int segments, bool on_grid)
 {
@@ -971,6 +998,7 @@ int main()
   test_flat_metrics_full_precision();
   test_flat_metrics_small<Epeck>();
   test_flat_metrics_small<Rational_kernel>();
+  test_conflicts();
   test_varying_metrics<Epick>(300);
   test_varying_metrics<Epeck>(40);
   test_varying_metrics<Rational_kernel>(40);

@@ -66,7 +66,8 @@ public:
   void commit()
   {
     CGAL_precondition(!m_is_committed);
-    errno = 0;
+    if(m_stream) // else the reason is an earlier one
+      errno = 0;
     m_stream.close(); // sets failbit when the last bytes do not get through
     if(!m_stream) {
       const std::string reason = last_error();

@@ -57,7 +57,7 @@ private:
 
   void weigh_vertices()
   {
-    m_vertex_tensors.resize(m_mesh.number_of_vertices());
+    m_vertex_tensors.resize(m_mesh.vertex_index_bound());
     for(auto v = m_mesh.finite_vertices_begin(); v != m_mesh.finite_vertices_end(); ++v)
       m_vertex_tensors[v->index()] = Weighted_tensor(Symmetric_form(v->metric_tensor()), m_is_riemannian);
   }

@@ -24,7 +24,7 @@ template <class Mesh>
 std::vector<typename Mesh::Vertex_handle> free_vertices(const Mesh& mesh)
 {
   typedef typename Mesh::Vertex_handle Vertex_handle;
-  std::vector<bool> is_free(mesh.number_of_vertices(), true);
+  std::vector<bool> is_free(mesh.vertex_index_bound(), true);
   for(auto f = mesh.all_faces_begin(); f != mesh.all_faces_end(); ++f)
     for(int i = 0; i < 3; ++i)
       if(!mesh.is_infinite(f->vertex(i)) && (f->is_constrained(Mesh::ccw(i)) || !f->is_in_domain()))
@@ -88,9 +88,9 @@ private:
   // In each round a vertex is shortened, so that there is an end to it.
   void untangle(const std::vector<Vector_of_doubles>& start, const std::vector<Vector_of_doubles>& target)
   {
-    std::vector<unsigned char> shortened(m_mesh.number_of_vertices(), 0);
-    std::vector<std::size_t> rank(m_mesh.number_of_vertices(), 0);
-    std::vector<bool> is_free(m_mesh.number_of_vertices(), false);
+    std::vector<unsigned char> shortened(m_mesh.vertex_index_bound(), 0);
+    std::vector<std::size_t> rank(m_mesh.vertex_index_bound(), 0);
+    std::vector<bool> is_free(m_mesh.vertex_index_bound(), false);
     for(std::size_t i = 0; i < m_free.size(); ++i) {
       rank[m_free[i]->index()] = i;
       is_free[m_free[i]->index()] = true;

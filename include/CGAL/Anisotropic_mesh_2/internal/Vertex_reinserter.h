@@ -53,6 +53,7 @@ public:
       v->set_index(m_free[i]->index());
       hint = v->face();
     }
+    next.set_vertex_index_bound(m_mesh.vertex_index_bound());
     restore_connectivity(next);
     m_mesh.swap(next);
     m_free = internal::free_vertices(m_mesh);

@@ -1,0 +1,237 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+// The metric fields; the discrete one against a search through all triangles.
+
+#include "include/check.h"
+
+#include <CGAL/Constant_metric_field_2.h>
+#include <CGAL/Directional_metric_field_2.h>
+#include <CGAL/Discrete_metric_field_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Isotropic_metric_field_2.h>
+#include <CGAL/Random.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel             Kernel;
+typedef Kernel::Point_2                                                 Point;
+typedef CGAL::Metric_tensor_2<Kernel>                                   Tensor;
+typedef CGAL::Discrete_metric_field_2<Kernel>                           Discrete;
+typedef Discrete::Background                                            Background;
+typedef CGAL::Invalid_metric_tensor_exception                           Invalid;
+
+struct Sizes { double h1, h2, angle; };
+
+bool are_close(const Tensor& m, const Tensor& n, double tolerance)
+{
+  const double size = n.m11() + n.m22();
+  return std::abs(m.m11() - n.m11()) <= tolerance*size && std::abs(m.m12() - n.m12()) <= tolerance*size
+      && std::abs(m.m22() - n.m22()) <= tolerance*size;
+}
+
+void test_callables()
+{
+  const Tensor m = Tensor::from_sizes(1, 2, 0.3);
+  const CGAL::Constant_metric_field_2 constant(m); // deduces the kernel
+  CHECK(constant(Point(5, 6)) == m);
+  CHECK(CGAL::Constant_metric_field_2<Kernel>()(Point(0, 0)) == Tensor());
+
+  const auto isotropic = CGAL::make_isotropic_metric_field_2<Kernel>([](const Point& p) { return 1 + p.x(); });
+  CHECK(isotropic(Point(1, 0)) == Tensor::from_size(2));
+  CHECK_THROWS(isotropic(Point(-1, 3)), Invalid, "h1 = 0, h2 = 0, theta = 0 is not positive definite at the point (-1, 3)");
+
+  const auto of_array = CGAL::make_directional_metric_field_2<Kernel>(
+    [](const Point& p) { return std::array<double, 3>{p.x(), p.y(), 0.3}; });
+  const auto of_tuple = CGAL::make_directional_metric_field_2<Kernel>(
+    [](const Point& p) { return std::make_tuple(p.x(), p.y(), 0.3); });
+  const auto of_struct = CGAL::make_directional_metric_field_2<Kernel>(
+    [](const Point& p) { return Sizes{p.x(), p.y(), 0.3}; });
+  CHECK(of_array(Point(1, 2)) == m && of_tuple(Point(1, 2)) == m && of_struct(Point(1, 2)) == m);
+  CHECK_THROWS(of_struct(Point(1, -2)), Invalid, "h2 = -2, theta = 0.29999999999999999 is not positive definite at the point (1, -2)");
+  auto copy = of_struct;
+  CHECK(copy(Point(1, 2)) == m);
+}
+
+// a jittered grid over [0,n]^2 whose triangles are oriented at random
+Background grid(int n, CGAL::Random& random)
+{
+  Background g;
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j) {
+      const double jitter = i > 0 && i < n && j > 0 && j < n ? 0.3 : 0;
+      g.points.emplace_back(i + jitter * random.get_double(-1, 1), j + jitter * random.get_double(-1, 1));
+    }
+  const std::size_t row = static_cast<std::size_t>(n) + 1;
+  for(std::size_t i = 0; i + 1 < row; ++i)
+    for(std::size_t j = 0; j + 1 < row; ++j) {
+      const std::size_t a = i*row + j;
+      g.triangles.push_back({a, a + row, a + row + 1});
+      g.triangles.push_back({a, a + row + 1, a + 1});
+    }
+  for(auto& t : g.triangles)
+    if(random.get_bool())
+      std::swap(t[1], t[2]);
+  return g;
+}
+
+std::vector<Tensor> random_tensors(std::size_t n, CGAL::Random& random)
+{
+  std::vector<Tensor> tensors;
+  for(std::size_t i = 0; i < n; ++i)
+    tensors.push_back(Tensor::from_sizes(random.get_double(0.1, 1), random.get_double(1, 20), random.get_double(-3, 3)));
+  return tensors;
+}
+
+// The log-Euclidean mean with the barycentric coordinates of the nearest point
+// of the nearest triangle, by trying all.
+Tensor by_brute_force(const Background& g, const std::vector<Tensor>& tensors, const Point& p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  std::array<double, 3> logarithm = {};
+  for(const auto& t : g.triangles) {
+    const Kernel::Triangle_2 triangle(g.points[t[0]], g.points[t[1]], g.points[t[2]]);
+    const double distance = CGAL::to_double(CGAL::squared_distance(p, triangle));
+    if(distance >= least)
+      continue;
+    least = distance;
+    Point q = p; // the nearest point
+    if(triangle.has_on_unbounded_side(p)) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for(int i = 0; i < 3; ++i) {
+        const Point a = triangle[i], b = triangle[i + 1];
+        const double s = std::min(1., std::max(0., (p - a) * (b - a) / (b - a).squared_length()));
+        const Point c = a + s * (b - a);
+        if(CGAL::squared_distance(p, c) < nearest) {
+          nearest = CGAL::squared_distance(p, c);
+          q = c;
+        }
+      }
+    }
+    logarithm = {};
+    for(int i = 0; i < 3; ++i) {
+      const double weight = CGAL::area(q, triangle[i + 1], triangle[i + 2]) / triangle.area();
+      const std::array<double, 3> l = tensors[t[i]].logarithm();
+      for(int j = 0; j < 3; ++j)
+        logarithm[j] += weight * l[j];
+    }
+  }
+  return Tensor::from_logarithm(logarithm);
+}
+
+void test_discrete_field()
+{
+  CGAL::Random random(5);
+  const Background g = grid(12, random);
+  const std::vector<Tensor> tensors = random_tensors(g.points.size(), random);
+  const Discrete field(g, tensors);
+  for(std::size_t i = 0; i < g.points.size(); ++i)
+    CHECK(are_close(field(g.points[i]), tensors[i], 1e-12));
+  for(int i = 0; i < 3000; ++i) {
+    const Point p(random.get_double(-3, 15), random.get_double(-3, 15)); // half of them outside
+    CHECK(are_close(field(p), by_brute_force(g, tensors, p), 1e-9));
+  }
+  for(const auto& t : g.triangles) { // on edges
+    const Point p = CGAL::midpoint(g.points[t[0]], g.points[t[1]]);
+    CHECK(are_close(field(p), by_brute_force(g, tensors, p), 1e-9));
+  }
+  CHECK(are_close(field(Point(1e6, 1e6)), tensors.back(), 1e-12)); // far away
+  const Discrete copy = field;
+  CHECK(copy(Point(3.3, 4.4)) == field(Point(3.3, 4.4)));
+}
+
+void test_interpolation()
+{
+  Background g;
+  g.points = {Point(0, 0), Point(1, 0), Point(0, 1)};
+  g.triangles.push_back({0, 2, 1}); // clockwise
+  const Discrete field(g, {Tensor::from_size(1), Tensor::from_size(4), Tensor::from_sizes(1, 16)});
+  CHECK(are_close(field(Point(0.5, 0)), Tensor::from_size(2), 1e-14)); // geometric means
+  CHECK(are_close(field(Point(0, 0.25)), Tensor::from_sizes(1, 2), 1e-14));
+  CHECK(are_close(field(Point(0.5, -7)), Tensor::from_size(2), 1e-14));
+  CHECK(are_close(field(Point(-1, -1)), Tensor::from_size(1), 1e-14));
+}
+
+// a background with a hole, and with triangles of very different sizes
+void test_uneven_background()
+{
+  CGAL::Random random(9);
+  Background g = grid(10, random);
+  for(Point& p : g.points)
+    p = Point(std::expm1(p.x()), 1e-3 * p.y());
+  g.triangles.erase(std::remove_if(g.triangles.begin(), g.triangles.end(), [&](const std::array<std::size_t, 3>& t) {
+    return CGAL::centroid(g.points[t[0]], g.points[t[1]], g.points[t[2]]).x() > 3000;
+  }), g.triangles.end());
+  const std::vector<Tensor> tensors = random_tensors(g.points.size(), random);
+  const Discrete field(g, tensors);
+  for(int i = 0; i < 500; ++i) {
+    const Point p(std::exp(random.get_double(-3, 10)), 1e-3 * random.get_double(-3, 13));
+    CHECK(are_close(field(p), by_brute_force(g, tensors, p), 1e-6));
+  }
+}
+
+void test_refusals()
+{
+  Background g;
+  g.points = {Point(0, 0), Point(1, 0), Point(0, 1), Point(2, 0)};
+  const std::vector<Tensor> four(4);
+  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "the background mesh has no triangles");
+  CHECK_THROWS(Discrete(Background(), {}), std::invalid_argument, "no triangles");
+  g.triangles = {{0, 1, 2}, {0, 1, 3}};
+  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "triangle 2 of the background mesh has no area");
+  g.triangles = {{0, 1, 1}};
+  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "triangle 1 of the background mesh has no area");
+  g.triangles = {{0, 1, 4}};
+  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "triangle 1 of the background mesh names a vertex that does not exist");
+  g.triangles = {{0, 1, 2}};
+  CHECK_THROWS(Discrete(g, std::vector<Tensor>(3)), std::invalid_argument,
+               "the background has 4 vertices, but 3 metric tensors are given");
+  CHECK(Discrete(g, four)(Point(0, 0)) == Tensor());
+}
+
+void test_threads()
+{
+  CGAL::Random random(2);
+  const Background g = grid(20, random);
+  const Discrete field(g, random_tensors(g.points.size(), random));
+  std::vector<Point> points;
+  std::vector<Tensor> expected;
+  for(int i = 0; i < 5000; ++i) {
+    points.emplace_back(random.get_double(-1, 21), random.get_double(-1, 21));
+    expected.push_back(field(points.back()));
+  }
+  std::atomic<int> differences(0);
+  std::vector<std::thread> threads;
+  for(int k = 0; k < 4; ++k)
+    threads.emplace_back([&, copy = field] {
+      for(std::size_t i = 0; i < points.size(); ++i)
+        differences += copy(points[i]) != expected[i];
+    });
+  for(std::thread& t : threads)
+    t.join();
+  CHECK(differences == 0);
+}
+
+int main()
+{
+  test_callables();
+  test_discrete_field();
+  test_interpolation();
+  test_uneven_background();
+  test_refusals();
+  test_threads();
+  return finish();
+}
