@@ -30,14 +30,15 @@ struct Weighted_tensor
   Symmetric_form m;
   Symmetric_form weighted;
   double determinant = 1;
-  double weighted_determinant = 1;
+  double weighted_area_density = 1; // the root of the determinant of the weighted tensor
 
   Weighted_tensor() {}
   Weighted_tensor(const Symmetric_form& m, bool riemannian)
     : m(m), determinant(m.determinant())
   {
-    weighted = riemannian ? std::sqrt(determinant) * m : m;
-    weighted_determinant = riemannian ? determinant * determinant : determinant;
+    const double root = std::sqrt(determinant);
+    weighted = riemannian ? root * m : m;
+    weighted_area_density = riemannian ? determinant : root;
   }
 
   // The root of the sum of (e - 1)^2 over the two eigenvalues e of m^-1 n: how
@@ -88,7 +89,7 @@ struct Acvt_element
     for(int i = 0; i < 3; ++i) {
       const Weighted_tensor &p = tensor[(i + 1) % 3], &q = tensor[(i + 2) % 3];
       const Symmetric_form sum = p.weighted + q.weighted;
-      across[i] = std::sqrt(std::sqrt(p.weighted_determinant * q.weighted_determinant) / sum.determinant()) * sum;
+      across[i] = std::sqrt(p.weighted_area_density * q.weighted_area_density / sum.determinant()) * sum;
       bubble += (1./9) * tensor[i].weighted;
       bubble += (-4./9) * across[i];
     }
