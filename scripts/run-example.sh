@@ -14,7 +14,7 @@ r="sqrt(x^2+y^2)"
 build/program/program/anisotropic_mesh_2 examples/Anisotropic_mesh_2/data/plate.poly \
   --h1 "0.02+0.2*abs($r-0.5)" --h2 "0.1+0.1*abs($r-0.5)" --theta "atan2(y,x)" \
   -o "$out/mesh.mesh" -o "$out/mesh.vtu" -o "$out/mesh.svg" \
-  --voronoi "$out/tessellation.svg" --stats "$out/statistics.json" --verbose
+  --voronoi "$out/tessellation.svg" --stats "$out/statistics.json"
 cat "$out/statistics.json"
 echo "Written to $PWD/$out:"
 ls "$out"

@@ -1,0 +1,164 @@
+// The costs that the package promises, beside those of CGAL in the same run:
+// building the generalized kernel against a constrained Delaunay triangulation,
+// and an iteration of the optimizers against lloyd_optimize_mesh_2().
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Mesh_2/Lloyd_move_2.h>
+#include <CGAL/Mesh_2/Mesh_global_optimizer_2.h>
+#include <CGAL/Mesh_2/Mesh_sizing_field.h>
+#include <CGAL/Random.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
+#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
+#include <CGAL/make_anisotropic_mesh_2.h>
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef K::Point_2                                          Point;
+typedef CGAL::Metric_tensor_2<K>                            Tensor;
+namespace np = CGAL::Anisotropic_mesh_2::parameters;
+
+// ------------------------------------------------------------- kernel
+
+std::vector<Point> random_points(std::int64_t n)
+{
+  CGAL::Random random(1);
+  std::vector<Point> points;
+  for(std::int64_t i = 0; i < n; ++i)
+    points.push_back(Point(random.get_double(0, 4), random.get_double(0, 4)));
+  return points;
+}
+
+struct Graded
+{
+  Tensor operator()(const Point& p) const { return Tensor::from_sizes(0.031 + p.x() / 4, 0.031 + p.y() / 4); }
+};
+
+struct Rotating
+{
+  Tensor operator()(const Point& p) const { return Tensor::from_sizes(0.01, 1, 4*p.x() + p.y()); }
+};
+
+template <class Triangulation>
+void build(benchmark::State& state, const Triangulation& empty)
+{
+  const std::vector<Point> points = random_points(state.range(0));
+  for(auto _ : state) {
+    Triangulation t = empty;
+    t.insert(points.begin(), points.end());
+    benchmark::DoNotOptimize(t.number_of_vertices());
+  }
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+template <class Field>
+void generalized_kernel(benchmark::State& state)
+{
+  typedef CGAL::Riemannian_metric_traits_2<K, Field> Traits;
+  build(state, CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Traits>(Traits(Field())));
+}
+
+void delaunay(benchmark::State& state) { build(state, CGAL::Delaunay_triangulation_2<K>()); }
+void constrained_delaunay(benchmark::State& state) { build(state, CGAL::Constrained_Delaunay_triangulation_2<K>()); }
+
+BENCHMARK(delaunay)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(constrained_delaunay)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(generalized_kernel, Graded)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(generalized_kernel, Rotating)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+// ------------------------------------------------------------- iterations on an isotropic mesh of the unit square
+
+struct Isotropic
+{
+  double size;
+  Tensor operator()(const Point&) const { return Tensor::from_size(size); }
+};
+
+auto isotropic_mesh(std::int64_t vertices)
+{
+  CGAL::Anisotropic_mesh_domain_2<K> square;
+  square.add_polygon(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  return CGAL::make_anisotropic_mesh_2(square, Isotropic{std::sqrt(2 / std::sqrt(3.) / double(vertices))});
+}
+
+void lloyd_iteration(benchmark::State& state)
+{
+  auto mesh = isotropic_mesh(state.range(0));
+  for(auto _ : state)
+    CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(10));
+  state.SetItemsProcessed(state.iterations() * 10 * std::int64_t(mesh.number_of_vertices()));
+}
+
+void acvt_iteration(benchmark::State& state)
+{
+  const auto start = isotropic_mesh(state.range(0));
+  for(auto _ : state) {
+    auto mesh = start;
+    CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(10));
+  }
+  state.SetItemsProcessed(state.iterations() * 10 * std::int64_t(start.number_of_vertices()));
+}
+
+// On the same points. The classes behind CGAL::lloyd_optimize_mesh_2(), whose
+// interface differs between versions of CGAL.
+void cgal_lloyd_iteration(benchmark::State& state)
+{
+  typedef CGAL::Delaunay_mesh_vertex_base_2<K>                       Vb;
+  typedef CGAL::Delaunay_mesh_face_base_2<K>                         Fb;
+  typedef CGAL::Triangulation_data_structure_2<Vb, Fb>               Tds;
+  typedef CGAL::Constrained_Delaunay_triangulation_2<K, Tds>         Cdt;
+  typedef CGAL::Mesh_2::Mesh_sizing_field<Cdt>                       Sizing;
+  typedef CGAL::Mesh_2::Lloyd_move_2<Cdt, Sizing>                    Move;
+
+  const auto mesh = isotropic_mesh(state.range(0));
+  Cdt cdt;
+  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
+    cdt.insert(v->point());
+  for(const auto& e : mesh.edges_in_domain())
+    if(mesh.is_constrained(e))
+      cdt.insert_constraint(e.first->vertex((e.second + 1) % 3)->point(), e.first->vertex((e.second + 2) % 3)->point());
+  CGAL::Delaunay_mesher_2<Cdt, CGAL::Delaunay_mesh_size_criteria_2<Cdt> >::mark_facets(cdt);
+  for(auto _ : state) {
+    CGAL::Mesh_2::Mesh_global_optimizer_2<Cdt, Move> optimizer(cdt, 0., 0.);
+    optimizer(10);
+  }
+  state.SetItemsProcessed(state.iterations() * 10 * std::int64_t(mesh.number_of_vertices()));
+}
+
+BENCHMARK(cgal_lloyd_iteration)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK(lloyd_iteration)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(acvt_iteration)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+// ------------------------------------------------------------- from nothing
+
+void unit_mesh(benchmark::State& state)
+{
+  CGAL::Anisotropic_mesh_domain_2<K> square;
+  square.add_polygon(std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  const double scale = std::sqrt(226.88 / double(state.range(0)));
+  std::size_t n = 0;
+  for(auto _ : state)
+    n = CGAL::make_anisotropic_mesh_2(square, [scale](const Point& p)
+          { return Tensor::from_sizes(scale * (0.031 + p.x() / 4), scale * (0.031 + p.y() / 4)); }).number_of_vertices();
+  state.SetItemsProcessed(state.iterations() * std::int64_t(n));
+}
+
+BENCHMARK(unit_mesh)->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+BENCHMARK_MAIN();

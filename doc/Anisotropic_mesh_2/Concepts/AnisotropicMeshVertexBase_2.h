@@ -1,0 +1,27 @@
+/// \ingroup PkgAnisotropicMesh2Concepts
+/// \cgalConcept
+///
+/// The concept `AnisotropicMeshVertexBase_2` describes the vertices of
+/// anisotropic triangulations, which keep the metric tensor of their position.
+///
+/// \cgalRefines{TriangulationVertexBase_2}
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{CGAL::Anisotropic_mesh_vertex_base_2<Gt, Vb>}
+/// \cgalHasModelsEnd
+class AnisotropicMeshVertexBase_2
+{
+public:
+  /// the type of the tensors, that of the traits.
+  typedef unspecified_type Metric_tensor_2;
+
+  /// the tensor of the field at the position of the vertex.
+  const Metric_tensor_2& metric_tensor() const;
+  /// sets the tensor; the triangulation does so when it inserts or moves the vertex.
+  void set_metric_tensor(const Metric_tensor_2& m);
+
+  /// the rank of the vertex in the order of insertion; negative for a vertex not yet numbered.
+  int index() const;
+  /// sets the index; the triangulation does so when it inserts the vertex.
+  void set_index(int i);
+};

@@ -1,0 +1,28 @@
+/// \ingroup PkgAnisotropicMesh2Concepts
+/// \cgalConcept
+///
+/// The concept `MetricField_2` describes a Riemannian metric of the plane: a
+/// function from points to metric tensors.
+///
+/// \cgalRefines{CopyConstructible}
+///
+/// The function may be called for any point of the domain and of its boundary,
+/// and from several threads at the same time, so that it must not change any
+/// state that calls share. It need not be continuous. A point at which it has
+/// no valid tensor is reported by the exception that the construction of
+/// `CGAL::Metric_tensor_2` throws.
+///
+/// Any function object of the right signature is a model, in particular a lambda.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{CGAL::Constant_metric_field_2<K>}
+/// \cgalHasModels{CGAL::Isotropic_metric_field_2<K, Size>}
+/// \cgalHasModels{CGAL::Directional_metric_field_2<K, Sizes>}
+/// \cgalHasModels{CGAL::Discrete_metric_field_2<K>}
+/// \cgalHasModelsEnd
+class MetricField_2
+{
+public:
+  /// the tensor at `p`, where `K` is the kernel of the traits.
+  CGAL::Metric_tensor_2<K> operator()(const K::Point_2& p) const;
+};

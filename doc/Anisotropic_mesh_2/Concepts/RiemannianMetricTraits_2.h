@@ -1,0 +1,70 @@
+/// \ingroup PkgAnisotropicMesh2Concepts
+/// \cgalConcept
+///
+/// The concept `RiemannianMetricTraits_2` describes the requirements of the
+/// geometric traits of `CGAL::Constrained_anisotropic_Delaunay_triangulation_2`
+/// and of all that builds on it: the plane under a metric field. The field is
+/// state of the traits, shared by their copies.
+///
+/// \cgalRefines{ConstrainedTriangulationTraits_2,SpatialSortingTraits_2,DefaultConstructible}
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{CGAL::Riemannian_metric_traits_2<K, MetricField>}
+/// \cgalHasModelsEnd
+class RiemannianMetricTraits_2
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// the kernel of the points.
+  typedef unspecified_type Kernel;
+
+  /// the number type of coordinates and tensors.
+  typedef unspecified_type FT;
+
+  /// `CGAL::Metric_tensor_2<Kernel>`.
+  typedef unspecified_type Metric_tensor_2;
+
+  /// whether the orientation test and `Side_of_metric_circle_2` are free of
+  /// rounding errors. If so, cavities are taken to be star-shaped without a test.
+  static constexpr bool has_exact_predicates;
+  /// @}
+
+  /// \name Predicates
+  /// @{
+
+  /// provides `CGAL::Oriented_side operator()(Point_2 a, Point_2 b, Point_2 c, Point_2 p,
+  /// Metric_tensor_2 ma, Metric_tensor_2 mb, Metric_tensor_2 mc, Metric_tensor_2 mp)`.
+  /// For the counterclockwise triangle `abc` it returns `ON_POSITIVE_SIDE`,
+  /// `ON_ORIENTED_BOUNDARY` or `ON_NEGATIVE_SIDE` as the product
+  /// \f$ \alpha_{M(p)} \alpha_{M(a)} \alpha_{M(b)} \alpha_{M(c)} \f$ of the Delaunay
+  /// measures is less than, equal to or greater than 1.
+  typedef unspecified_type Side_of_metric_circle_2;
+  /// @}
+
+  /// \name Constructions
+  /// @{
+
+  /// provides `Metric_tensor_2 operator()(Point_2 p)`, the value of the field at `p`;
+  /// throws `CGAL::Invalid_metric_tensor_exception` where it has none.
+  typedef unspecified_type Construct_metric_tensor_2;
+
+  /// provides `FT operator()(Point_2 x, Point_2 z)` and
+  /// `FT operator()(Point_2 x, Point_2 z, Metric_tensor_2 mx)`, the squared length of
+  /// the vector from `x` to `z` in the tensor at `x`.
+  typedef unspecified_type Compute_squared_directional_distance_2;
+
+  /// provides `double operator()(Point_2 p, Point_2 q)`, the Riemannian length of
+  /// the segment from `p` to `q`.
+  typedef unspecified_type Compute_riemannian_length_2;
+  /// @}
+
+  /// \name Operations
+  /// @{
+  Side_of_metric_circle_2 side_of_metric_circle_2_object() const;
+  Construct_metric_tensor_2 construct_metric_tensor_2_object() const;
+  Compute_squared_directional_distance_2 compute_squared_directional_distance_2_object() const;
+  Compute_riemannian_length_2 compute_riemannian_length_2_object() const;
+  /// @}
+};

@@ -1,0 +1,30 @@
+// A square, sizes that grow with x and with y: mesh, optimize, report, draw.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/anisotropic_mesh_statistics_2.h>
+#include <CGAL/make_anisotropic_mesh_2.h>
+
+#include <iostream>
+#include <vector>
+
+using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Tensor = CGAL::Metric_tensor_2<K>;
+
+int main()
+{
+  const std::vector<K::Point_2> square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  auto field = [](const K::Point_2& p) { return Tensor::from_sizes(0.1 + p.x()/4, 0.1 + p.y()/4); };
+
+  CGAL::Anisotropic_mesh_domain_2<K> domain;
+  domain.add_polygon(square);
+
+  auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
+  CGAL::acvt_optimize_mesh_2(mesh);
+
+  std::cout << CGAL::anisotropic_mesh_statistics_2(mesh);
+  CGAL::IO::write_SVG("quick_start.svg", mesh);
+  return 0;
+}
