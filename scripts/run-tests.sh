@@ -3,6 +3,6 @@
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/prepare.sh"
 
-install_missing "${program_packages[@]}" python3
+install_missing "${program_packages[@]}" libeigen3-dev python3
 build build/tests
 ctest --test-dir build/tests --parallel "$(nproc)" --output-on-failure --no-tests=error

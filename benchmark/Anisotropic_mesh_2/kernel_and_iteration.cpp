@@ -131,7 +131,9 @@ void cgal_lloyd_iteration(benchmark::State& state)
   for(const auto& e : mesh.edges_in_domain())
     if(mesh.is_constrained(e))
       cdt.insert_constraint(e.first->vertex((e.second + 1) % 3)->point(), e.first->vertex((e.second + 2) % 3)->point());
-  CGAL::Delaunay_mesher_2<Cdt, CGAL::Delaunay_mesh_size_criteria_2<Cdt> >::mark_facets(cdt);
+  const std::vector<Point> no_seeds;
+  CGAL::Delaunay_mesher_2<Cdt, CGAL::Delaunay_mesh_size_criteria_2<Cdt> >
+    ::mark_facets(cdt, no_seeds.begin(), no_seeds.end());
   for(auto _ : state) {
     CGAL::Mesh_2::Mesh_global_optimizer_2<Cdt, Move> optimizer(cdt, 0., 0.);
     optimizer(10);

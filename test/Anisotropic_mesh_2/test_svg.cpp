@@ -243,7 +243,7 @@ void test_tessellation()
 
 void test_neighbors_differ()
 {
-  const int n = 12;
+  const int n = 16; // a multiple of the number of colors, which cyclic colors would not do
   const Picture picture(drawn(squares(n)));
   std::map<std::array<long, 2>, std::string> fills; // by row and column
   for(const auto& p : picture.paths())

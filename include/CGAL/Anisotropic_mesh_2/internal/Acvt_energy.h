@@ -35,7 +35,7 @@ class Acvt_energy
 
 public:
   // `tolerance` is the variation of the metric within an element that is left as it is
-  Acvt_energy(const Mesh& mesh, Measure measure, double tolerance = 0.3, int maximum_depth = 3)
+  Acvt_energy(const Mesh& mesh, Measure measure, double tolerance = 0.3, int maximum_depth = 2)
     : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
       m_is_riemannian(measure == Measure::RIEMANNIAN), m_tolerance(tolerance), m_maximum_depth(maximum_depth)
   {}

@@ -7,11 +7,13 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_TRIANGLE_LOCATOR_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_TRIANGLE_LOCATOR_2_H
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -55,6 +57,7 @@ public:
   Place locate(const Point_2& p) const
   {
     const Xy q = xy(p);
+    CGAL_precondition(std::isfinite(q[0]) && std::isfinite(q[1]));
     std::array<std::size_t, max_depth> stack = {0};
     std::size_t size = 1;
     Candidate best = {std::numeric_limits<double>::infinity(), {m_triangles[0], {1, 0, 0}}};

@@ -25,6 +25,10 @@ namespace internal {
 // criterion of the triangulation decides. Where they are not, that criterion
 // says little about the faces in between; there the flip must raise the lower
 // quality of the two faces in the metric at their barycentres.
+//
+// Flips by quality come to an end, flips by the criterion might follow each
+// other in a circle, above all where both rules meet. Therefore, after a number
+// of flips, quality decides everywhere.
 template <class Mesh>
 class Flip_rule
 {
@@ -35,7 +39,8 @@ class Flip_rule
 public:
   explicit Flip_rule(const Mesh& mesh)
     : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
-      m_free_flips(4 * mesh.number_of_faces())
+      m_maximum_of_flips(4 * mesh.number_of_faces() + 16),
+      m_maximum_of_rough_flips(mesh.number_of_faces() / 16 + 16)
   {}
 
   bool operator()(const Edge& e)
@@ -45,17 +50,21 @@ public:
     const Edge m = m_mesh.mirror_edge(e);
     const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
     const Vertex_handle a = e.first->vertex(Mesh::ccw(e.second)), b = e.first->vertex(Mesh::cw(e.second));
-    if(!is_rough(p, q, a, b) && m_flips <= m_free_flips) {
-      if(m_mesh.is_locally_Delaunay(e.first, e.second))
-        return false;
-      ++m_flips;
-      return true;
-    }
-    return raises_quality(p, q, a, b);
+    const bool by_quality = is_exhausted() || is_rough(p, q, a, b);
+    const bool is_wanted = by_quality ? raises_quality(p, q, a, b)
+                                      : !m_mesh.is_locally_Delaunay(e.first, e.second);
+    m_flips += is_wanted;
+    m_rough_flips += is_wanted && by_quality;
+    return is_wanted;
   }
 
 private:
   static constexpr double roughness = 0.8;
+
+  bool is_exhausted() const
+  {
+    return m_flips > m_maximum_of_flips || m_rough_flips > m_maximum_of_rough_flips;
+  }
 
   static bool is_rough(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b)
   {
@@ -83,13 +92,11 @@ private:
 
   const Mesh& m_mesh;
   const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
-  const std::size_t m_free_flips;
-  std::size_t m_flips = 0;
+  const std::size_t m_maximum_of_flips, m_maximum_of_rough_flips;
+  std::size_t m_flips = 0, m_rough_flips = 0;
 };
 
-// Flips edges of the domain until no flip is wanted any more. Flips by the
-// criterion of the triangulation might follow each other in a circle; after
-// many of them only those that raise qualities go on, which end.
+// Flips edges of the domain until no flip is wanted any more.
 template <class Mesh>
 void restore_connectivity(Mesh& mesh)
 {
