@@ -114,7 +114,7 @@ public:
   Vertex_handle insert(const Point& p, Locate_type lt, Face_handle f, int li)
   {
     if(lt == Constrained_triangulation::VERTEX)
-      return f->vertex(li);
+      return dimension() == 0 ? this->finite_vertex() : f->vertex(li);
     return insert(p, geom_traits().construct_metric_tensor_2_object()(p), lt, f, li);
   }
 
@@ -122,7 +122,7 @@ public:
   Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
   {
     if(lt == Constrained_triangulation::VERTEX)
-      return f->vertex(li);
+      return dimension() == 0 ? this->finite_vertex() : f->vertex(li);
     if(is_inside_hull(lt, f, li) && !(lt == Constrained_triangulation::EDGE && f->is_constrained(li))) {
       Cavity cavity;
       find_cavity(p, m, lt, f, li, cavity);
@@ -370,7 +370,7 @@ public:
     for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
       if(orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != LEFT_TURN)
         return complain(verbose, "a face is not counterclockwise");
-    return true;
+    return has_convex_hull() || complain(verbose, "the hull is not convex");
   }
 
 protected:
@@ -418,7 +418,7 @@ private:
        || !is_in_conflict(outer.first, p, m))
       return false;
     const bool seen = Gt::has_exact_predicates || sees_other_edges(outer, p);
-    CGAL_expensive_assertion(sees_other_edges(outer, p));
+    CGAL_expensive_assertion(!Gt::has_exact_predicates || sees_other_edges(outer, p));
     return seen;
   }
 
@@ -462,7 +462,7 @@ private:
     const Vertex_handle a = e.first->vertex(ccw(e.second)), b = e.first->vertex(cw(e.second));
     const double before = std::max(largest_cotangent(p, a, b), largest_cotangent(q, b, a));
     const double after = std::max(largest_cotangent(p, a, q), largest_cotangent(q, b, p));
-    return after < before * (1 - 1e-9);
+    return after >= 0 && after < before * (1 - 1e-9);
   }
 
   // of the angles of a triangle in the mean of the tensors of its vertices
@@ -472,6 +472,17 @@ private:
     const Symmetric_form m = Symmetric_form(a->metric_tensor()) + Symmetric_form(b->metric_tensor())
                            + Symmetric_form(c->metric_tensor());
     return Anisotropic_mesh_2::internal::largest_cotangent(a->point(), b->point(), c->point(), m);
+  }
+
+  bool has_convex_hull() const
+  {
+    auto p = this->incident_vertices(this->infinite_vertex()), done = p; // clockwise
+    do {
+      auto q = p, r = ++q;
+      if(orientation(p->point(), q->point(), (++r)->point()) == LEFT_TURN)
+        return false;
+    } while(++p != done);
+    return true;
   }
 
   static bool complain(bool verbose, const char* what)

@@ -83,7 +83,7 @@ public:
   static Metric_tensor_2 from_sizes(const FT& h1, const FT& h2, double angle = 0)
   {
     if(!(is_size(h1) && is_size(h2) && std::isfinite(angle)))
-      refuse("the metric with h1 = ", h1, ", h2 = ", h2, ", theta = ", FT(angle));
+      refuse("the metric with h1 = ", h1, ", h2 = ", h2, ", theta = ", angle);
     const FT l1 = FT(1) / (h1*h1), l2 = FT(1) / (h2*h2);
     if(angle == 0)
       return from_entries(l1, FT(0), l2);
@@ -99,6 +99,8 @@ public:
   {
     const double mean = (l[0] + l[2]) / 2, radius = std::hypot((l[0] - l[2]) / 2, l[1]);
     const double angle = std::atan2(2*l[1], l[0] - l[2]) / 2;
+    if(!(std::abs(mean) + radius < 1400))
+      refuse("the metric whose logarithm has the entries ", l[0], ", ", l[1], ", ", l[2]);
     return from_sizes(FT(std::exp(-(mean + radius) / 2)), FT(std::exp(-(mean - radius) / 2)), angle);
   }
   /// @}
@@ -203,11 +205,12 @@ private:
     for(int i = 0; i < 4 && !m.is_positive_definite(); ++i)
       m = Metric_tensor_2(m.m_11 + ulp*m.m_11, m.m_12, m.m_22 + ulp*m.m_22);
     if(!m.is_positive_definite())
-      refuse("the metric with h1 = ", h1, ", h2 = ", h2, ", theta = ", FT(angle));
+      refuse("the metric with h1 = ", h1, ", h2 = ", h2, ", theta = ", angle);
     return m;
   }
 
-  static double printable(const FT& x) { return CGAL::to_double(x); }
+  template <class Number>
+  static double printable(const Number& x) { return CGAL::to_double(x); }
   static const char* printable(const char* s) { return s; }
 
   template <class... Parts>

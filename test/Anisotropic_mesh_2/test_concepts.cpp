@@ -110,9 +110,10 @@ template <class Vb, class Fb>
 using Triangulation
   = CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<Vb, Fb> >;
 
-typedef Triangulation<Poorest_vertex_base<Traits>, CGAL::Constrained_triangulation_face_base_2<Traits> >  Poorest;
-typedef Triangulation<Poorest_vertex_base<Traits, Vertex_with_info>, Face_with_info>                      Poor_with_info;
-typedef Triangulation<Rich_vertex, Rich_face>                                                             Rich;
+typedef CGAL::Constrained_triangulation_face_base_2<Traits>                             Plain_face;
+typedef Triangulation<Poorest_vertex_base<Traits>, Plain_face>                          Poorest;
+typedef Triangulation<Poorest_vertex_base<Traits, Vertex_with_info>, Face_with_info>    Poor_with_info;
+typedef Triangulation<Rich_vertex, Rich_face>                                           Rich;
 
 // with constructions for constraints that cross
 typedef CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Traits, CGAL::Default,

@@ -556,7 +556,7 @@ void test_conflicts()
     T t(traits);
     std::vector<Epick::Point_2> p;
     for(int j = 0; j < 4; ++j)
-      p.push_back(point<Epick>(XY(random.real(0, 1), random.real(0, 1))));
+      p.push_back(point<Epick>(XY{random.real(0, 1), random.real(0, 1)}));
     if(CGAL::orientation(p[0], p[1], p[2]) != CGAL::LEFT_TURN)
       continue;
     t.insert(p.begin(), p.begin() + 3);

@@ -49,7 +49,8 @@ public:
     lift(ax, ay, bx*cy, by*cx);
     lift(bx, by, cx*ay, cy*ax);
     lift(cx, cy, ax*by, ay*bx);
-    if(!is_in_safe_range())
+    if(!(is_in_safe_range() && is_in_safe_range(ma) && is_in_safe_range(mb)
+         && is_in_safe_range(mc) && is_in_safe_range(mp)))
       return;
     add_sign(ma); add_sign(mb); add_sign(mc); add_sign(mp);
     if(m_unknown == 0 && (m_positive == 0 || m_negative == 0)) {
@@ -78,7 +79,14 @@ private:
 
   bool is_in_safe_range() const
   {
-    return m_reach < 1e60 && m_x_bound > 1e-164 && m_y_bound > 1e-164;
+    return m_reach < 1e40 && m_x_bound > 1e-164 && m_y_bound > 1e-164;
+  }
+
+  template <class Metric_tensor>
+  static bool is_in_safe_range(const Metric_tensor& m)
+  {
+    const double trace = m.m11() + m.m22();
+    return trace > 1e-60 && trace < 1e60;
   }
 
   template <class Metric_tensor>
@@ -112,6 +120,8 @@ private:
     const std::array<double, 3> ey = {b.y() - a.y(), c.y() - b.y(), a.y() - c.y()};
     const double p = ex[2]*ey[0], q = ey[2]*ex[0];
     const double o = p - q, o_error = 5*unit * (std::abs(p) + std::abs(q));
+    if(!(o_error > 1e-250))
+      return;
 
     double product = 1, error = 0;
     for(const Metric_tensor* m : tensors) {
@@ -119,13 +129,16 @@ private:
       for(int i = 0; i < 3; ++i) {
         const double length = m->squared_length(ex[i], ey[i]);
         const double bound = m->m11()*ex[i]*ex[i] + 2*std::abs(m->m12()*ex[i]*ey[i]) + m->m22()*ey[i]*ey[i];
+        if(!(length > 1e-80 && length < 1e80))
+          return;
         l *= length;
         l_relative_error += 8*unit * bound / length;
       }
-      if(!(l > 0) || !(l_relative_error < 0.01))
+      const double det = m->determinant();
+      if(!(l_relative_error < 0.01 && det > 1e-280))
         return;
-      const double scale = 4 * m->determinant() / l, i = in_circle(*m), t = scale * o * i;
-      const double t_error = std::abs(scale) * (std::abs(o) * in_circle_error(*m) + std::abs(i) * o_error)
+      const double scale = 4 * det / l, i = in_circle(*m), t = scale * o * i;
+      const double t_error = std::abs(scale) * ((std::abs(o) + o_error) * in_circle_error(*m) + std::abs(i) * o_error)
                            + 2 * std::abs(t) * l_relative_error;
       const double alpha = 1 - t, alpha_error = t_error + 2*unit * (1 + std::abs(t));
       error = error * (std::abs(alpha) + alpha_error) + std::abs(product) * alpha_error;

@@ -26,7 +26,7 @@ inline double difference_of_products(const double& a, const double& b, const dou
 {
   const double ab = a*b, cd = c*d;
   const double plain = ab - cd;
-  if(std::abs(plain) > 0.01 * std::abs(cd))
+  if(std::abs(plain) > 0.5 * std::abs(cd))
     return plain;
   const double error = std::fma(c, d, -cd);
   return std::fma(a, b, -cd) - error;
