@@ -97,16 +97,15 @@ public:
     result.m_holes = m_holes;
     result.m_regions = m_regions;
     std::unordered_map<int, Vertex_handle> copies;
-    Face_handle hint;
+    Vertex_handle last; // not a face, which the next constraint may delete
     const auto copy = [&](Vertex_handle v)
     {
       Vertex_handle& c = copies[v->index()];
       if(c == Vertex_handle()) {
-        c = result.insert(v->point(), hint);
+        c = result.insert(v->point(), last == Vertex_handle() ? Face_handle() : last->face());
         c->set_index(v->index());
-        hint = c->face();
       }
-      return c;
+      return last = c;
     };
     for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
       for(int i = 0; i < 3; ++i) {
