@@ -9,7 +9,7 @@
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/IO/medit.h>
 #include <CGAL/Anisotropic_mesh_2/IO/poly.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
 
 #include <stdexcept>

@@ -10,7 +10,7 @@
 #include <CGAL/Curve_piece_2.h>
 #include <CGAL/Invalid_domain_exception.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Domain_piece_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain_from_graph.h>

@@ -8,7 +8,7 @@
 #define CGAL_DISCRETE_METRIC_FIELD_2_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/Triangle_locator_2.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Metric_tensor_2.h>
 
 #include <array>

@@ -243,6 +243,29 @@ void test_return_codes()
   CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
 }
 
+// A field that fails during the optimization leaves a valid mesh behind.
+void test_failing_field()
+{
+  const Case c = paper_cases()[4];
+  bool fails = false;
+  const Field field = [&](const Point& p) { return fails ? Tensor::from_size(-1) : c.field(p); };
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, field);
+  Mesh mesh = start;
+  struct Sabotage
+  {
+    bool* fails;
+    bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state&) { return *fails = true; }
+  };
+  CHECK_THROWS(CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
+               CGAL::Invalid_metric_tensor_exception, "h1 = -1");
+  CHECK(mesh.is_valid(true));
+  CHECK(generators_of(mesh) == generators_of(start));
+  fails = false;
+  CHECK_THROWS(CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
+               CGAL::Invalid_metric_tensor_exception, "at the point (");
+  CHECK(mesh.is_valid(true));
+}
+
 void test_determinism()
 {
   for(const Case& c : unit_square_cases()) {
@@ -271,6 +294,7 @@ int main()
   test_lloyd(cases[1], 1e-3);
   test_energy_falls();
   test_return_codes();
+  test_failing_field();
   test_determinism();
   return finish();
 }

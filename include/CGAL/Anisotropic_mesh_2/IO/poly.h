@@ -11,7 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Text_writer.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 
 #include <CGAL/number_utils.h>
 

@@ -12,8 +12,10 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
@@ -23,6 +25,8 @@ struct Vector_of_doubles
 {
   double x = 0, y = 0;
 };
+
+typedef std::vector<Vector_of_doubles> Vectors;
 
 // A tensor with its determinant, and weighted by the density of the measure.
 struct Weighted_tensor

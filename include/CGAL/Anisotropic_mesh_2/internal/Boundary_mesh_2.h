@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_BOUNDARY_MESH_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 
 #include <cstddef>
 #include <vector>

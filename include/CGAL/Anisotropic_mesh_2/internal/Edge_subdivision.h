@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_EDGE_SUBDIVISION_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_EDGE_SUBDIVISION_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/three_point_gauss.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
@@ -43,8 +45,8 @@ public:
       return m_points;
 
     m_parts.clear();
-    collect_parts(speed, 0, 0.5, gauss(speed, 0, 0.5), maximum_depth);
-    collect_parts(speed, 0.5, 1, gauss(speed, 0.5, 1), maximum_depth);
+    collect_parts(speed, 0, 0.5, three_point_gauss(speed, 0, 0.5), maximum_depth);
+    collect_parts(speed, 0.5, 1, three_point_gauss(speed, 0.5, 1), maximum_depth);
     divide(p, q);
     return m_points;
   }
@@ -70,20 +72,13 @@ private:
     return std::sqrt(CGAL::to_double(m.squared_length(FT(dx), FT(dy))));
   }
 
-  template <class Speed>
-  static double gauss(const Speed& speed, double t0, double t1)
-  {
-    const double offset = std::sqrt(0.15) * (t1 - t0), middle = (t0 + t1) / 2;
-    return (t1 - t0) / 18 * (5 * speed(middle - offset) + 8 * speed(middle) + 5 * speed(middle + offset));
-  }
-
   // Bisects until both halves agree with the whole to a hundredth, of the part
   // itself or of the unit length that matters, and with each other well enough
   // for points to be placed in between.
   template <class Speed>
   void collect_parts(const Speed& speed, double t0, double t1, double whole, int depth)
   {
-    const double middle = (t0 + t1) / 2, left = gauss(speed, t0, middle), right = gauss(speed, middle, t1);
+    const double middle = (t0 + t1) / 2, left = three_point_gauss(speed, t0, middle), right = three_point_gauss(speed, middle, t1);
     const double sum = left + right;
     if(depth == 0 || (std::abs(sum - whole) <= 0.01 * std::max(sum, 0.1)
                       && std::abs(left - right) <= 0.05 * std::max(sum, 1.))) {

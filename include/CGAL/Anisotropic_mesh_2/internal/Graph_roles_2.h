@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_GRAPH_ROLES_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_GRAPH_ROLES_2_H
 
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Domain_piece_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/exact_predicates.h>
 

@@ -19,8 +19,6 @@ namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
-typedef std::vector<Vector_of_doubles> Vectors;
-
 inline double scalar_product(const Vectors& u, const Vectors& v)
 {
   double sum = 0;

@@ -39,9 +39,9 @@ std::vector<typename Mesh::Vertex_handle> free_vertices(const Mesh& mesh)
 }
 
 template <class Vertex_handle>
-std::vector<Vector_of_doubles> positions_of(const std::vector<Vertex_handle>& vertices)
+Vectors positions_of(const std::vector<Vertex_handle>& vertices)
 {
-  std::vector<Vector_of_doubles> result(vertices.size());
+  Vectors result(vertices.size());
   for(std::size_t i = 0; i < vertices.size(); ++i)
     result[i] = {CGAL::to_double(vertices[i]->point().x()), CGAL::to_double(vertices[i]->point().y())};
   return result;
@@ -66,17 +66,22 @@ public:
   // the vertices that may move, in the order of their indices
   const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
 
-  std::vector<Vector_of_doubles> positions() const { return positions_of(m_free); }
+  Vectors positions() const { return positions_of(m_free); }
 
   // Moves the free vertices towards `target`; they end there or, where faces
-  // would turn over, on the way.
-  void move_to(const std::vector<Vector_of_doubles>& target)
+  // would turn over, on the way. Should the field fail, all stay where they are.
+  void move_to(const Vectors& target)
   {
-    const std::vector<Vector_of_doubles> start = positions();
-    for(std::size_t i = 0; i < m_free.size(); ++i)
-      m_free[i]->set_point(Point(target[i].x, target[i].y));
+    const Vectors start = positions();
+    place_all(target);
     untangle(start, target);
-    evaluate_tensors();
+    try {
+      evaluate_tensors();
+    }
+    catch(...) {
+      place_all(start);
+      throw;
+    }
     restore_connectivity(m_mesh);
   }
 
@@ -86,7 +91,7 @@ private:
   // Halves, again and again, the moves of the free vertices of inverted faces,
   // until none is left; from some point on the moves are taken back at once.
   // In each round a vertex is shortened, so that there is an end to it.
-  void untangle(const std::vector<Vector_of_doubles>& start, const std::vector<Vector_of_doubles>& target)
+  void untangle(const Vectors& start, const Vectors& target)
   {
     std::vector<unsigned char> shortened(m_mesh.vertex_index_bound(), 0);
     std::vector<std::size_t> rank(m_mesh.vertex_index_bound(), 0);
@@ -139,11 +144,22 @@ private:
     return m_mesh.orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != LEFT_TURN;
   }
 
+  void place_all(const Vectors& positions)
+  {
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      m_free[i]->set_point(Point(positions[i].x, positions[i].y));
+  }
+
+  // Sets all tensors or, if the field fails at a vertex, none.
   void evaluate_tensors()
   {
     const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
+    std::vector<typename Mesh::Metric_tensor_2> tensors;
+    tensors.reserve(m_free.size());
     for(Vertex_handle v : m_free)
-      v->set_metric_tensor(tensor(v->point()));
+      tensors.push_back(tensor(v->point()));
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      m_free[i]->set_metric_tensor(tensors[i]);
   }
 
   Mesh& m_mesh;

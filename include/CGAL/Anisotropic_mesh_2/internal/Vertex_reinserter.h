@@ -35,13 +35,13 @@ public:
 
   const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
 
-  std::vector<Vector_of_doubles> positions() const { return positions_of(m_free); }
+  Vectors positions() const { return positions_of(m_free); }
 
   // A vertex whose target lies outside of the domain or is taken goes only a
   // part of its way. Should even its old place be taken, all move in place.
-  void move_to(const std::vector<Vector_of_doubles>& target)
+  void move_to(const Vectors& target)
   {
-    const std::vector<Vector_of_doubles> start = positions();
+    const Vectors start = positions();
     Mesh next = m_empty;
     Face_handle hint;
     for(std::size_t i : spatial_order(target)) {
@@ -62,7 +62,7 @@ public:
 private:
   static constexpr int halvings = 6;
 
-  static std::vector<std::size_t> spatial_order(const std::vector<Vector_of_doubles>& positions)
+  static std::vector<std::size_t> spatial_order(const Vectors& positions)
   {
     std::vector<Point> points;
     for(const Vector_of_doubles& p : positions)

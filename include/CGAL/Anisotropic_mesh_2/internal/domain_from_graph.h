@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_FROM_GRAPH_H
 
 #include <CGAL/Invalid_domain_exception.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Domain_piece_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Graph_roles_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/describe.h>

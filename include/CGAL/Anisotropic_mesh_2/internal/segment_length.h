@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SEGMENT_LENGTH_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SEGMENT_LENGTH_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/three_point_gauss.h>
+
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
@@ -43,8 +45,7 @@ private:
 
   double gauss(double t0, double t1) const
   {
-    const double offset = std::sqrt(0.15) * (t1 - t0), middle = (t0 + t1) / 2;
-    return (t1 - t0) / 18 * (5 * speed(middle - offset) + 8 * speed(middle) + 5 * speed(middle + offset));
+    return three_point_gauss([this](double t) { return speed(t); }, t0, t1);
   }
 
   double speed(double t) const

@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_MEDIT_READER_H
 
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Text_scanner.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Invalid_metric_tensor_exception.h>
 #include <CGAL/Metric_tensor_2.h>
 

@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_POLY_READER_H
 
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Text_scanner.h>
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 
 #include <cmath>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_DOMAIN_GRAPH_H
 #define CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_DOMAIN_GRAPH_H
 
-#include <CGAL/Anisotropic_mesh_2/Planar_graph.h>
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/Simple_cartesian.h>

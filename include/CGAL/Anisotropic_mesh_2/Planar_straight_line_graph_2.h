@@ -4,8 +4,8 @@
 //
 // Author(s)     : the Anisotropic_mesh_2 developers
 
-#ifndef CGAL_ANISOTROPIC_MESH_2_PLANAR_GRAPH_H
-#define CGAL_ANISOTROPIC_MESH_2_PLANAR_GRAPH_H
+#ifndef CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
+#define CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 
@@ -57,4 +57,4 @@ struct Planar_straight_line_graph_2
 } // namespace Anisotropic_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_ANISOTROPIC_MESH_2_PLANAR_GRAPH_H
+#endif // CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
