@@ -354,7 +354,7 @@ public:
 
   /// checks the data structure, the marks of the constraints and, with exact
   /// predicates where the traits have them, that every finite face is strictly
-  /// counterclockwise. With `verbose` the first defect is written to `std::cerr`.
+  /// counterclockwise and the hull convex. With `verbose` the first defect is written to `std::cerr`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
     if(!this->tds().is_valid(verbose, level))

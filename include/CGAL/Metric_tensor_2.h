@@ -36,7 +36,8 @@ namespace CGAL {
 ///
 /// \tparam K a model of `Kernel`; its `FT` is the type of the entries. With
 /// `double` entries, ratios `h1 : h2` up to about 10<sup>7</sup> are resolved
-/// in any direction.
+/// in any direction, and sizes lie between 10<sup>-75</sup> and 10<sup>75</sup>;
+/// beyond, the determinant leaves the range of numbers and the tensor is refused.
 template <class K>
 class Metric_tensor_2
 {

@@ -175,6 +175,23 @@ void test_refusals()
                CGAL::Invalid_metric_tensor_exception, "m11 = -1");
 }
 
+// The field is asked for nothing beyond the domain.
+void test_field_defined_on_the_domain_only()
+{
+  const Field field = [](const Point& p) {
+    const bool is_inside = p.x() >= 0 && p.x() <= 1 && p.y() >= 0 && p.y() <= 1
+                        && !(p.x() > 0.5 && p.y() > 0.5);
+    return is_inside ? Tensor::from_sizes(0.02 + 0.1*p.y(), 0.1, 0.7) : Tensor::from_size(-1);
+  };
+  CGAL::Anisotropic_mesh_domain_2<K> domain;
+  domain.add_polygon(std::vector<Point>{Point(0, 0), Point(1, 0), Point(1, 0.5), Point(0.5, 0.5), Point(0.5, 1), Point(0, 1)});
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(domain, field);
+  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(5));
+  CHECK(mesh.is_valid(true));
+  CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.95);
+}
+
 // s^2 M on a domain scaled by 1/s gives the same mesh, scaled: to the last bit
 // for a power of two.
 void test_scaling()
@@ -214,6 +231,7 @@ int main()
   test_domain_with_everything();
   test_clustered_start();
   test_refusals();
+  test_field_defined_on_the_domain_only();
   test_scaling();
   return finish();
 }

@@ -17,7 +17,8 @@ public:
   /// \name Types
   /// @{
 
-  /// the kernel of the points.
+  /// the kernel of the points. The traits convert to `const Kernel&`, by which
+  /// ranges of points are sorted.
   typedef unspecified_type Kernel;
 
   /// the number type of coordinates and tensors.

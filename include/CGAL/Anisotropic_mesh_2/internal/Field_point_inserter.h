@@ -76,13 +76,31 @@ private:
   // Points at unit distance from both ends of an edge, on both its sides.
   void advance(Vertex_handle u, Vertex_handle v)
   {
-    for(int side = 0; side < 2; ++side) {
-      Point apex;
-      if(unit_apex(side == 0 ? u : v, side == 0 ? v : u, m_tensor, apex)) {
-        Face_handle hint = u->face();
-        try_to_insert(apex, hint);
-      }
-    }
+    advance_to_the_left(u, v);
+    advance_to_the_left(v, u);
+  }
+
+  // The metric halfway to the point is estimated from those at the ends of the
+  // edge and at a first guess of the point, but only if that lies in the
+  // domain: beyond, the field need not be defined.
+  void advance_to_the_left(Vertex_handle u, Vertex_handle v)
+  {
+    const Symmetric_form at_edge = geometric_mean(Symmetric_form(u->metric_tensor()),
+                                                  Symmetric_form(v->metric_tensor()));
+    Point apex;
+    Face_handle hint = u->face();
+    if(!unit_apex(u->point(), v->point(), at_edge, apex) || !is_field_point(apex, hint))
+      return;
+    if(unit_apex(u->point(), v->point(), geometric_mean(at_edge, Symmetric_form(m_tensor(apex))), apex))
+      try_to_insert(apex, hint);
+  }
+
+  bool is_field_point(const Point& p, Face_handle& hint) const
+  {
+    typename Mesh::Locate_type lt;
+    int li;
+    hint = m_mesh.locate(p, lt, li, hint);
+    return m_mesh.is_field_point(lt, hint, li);
   }
 
   void subdivide(Vertex_handle u, Vertex_handle v)

@@ -12,6 +12,8 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
@@ -37,6 +39,15 @@ struct Symmetric_form
   friend Symmetric_form operator+(Symmetric_form m, const Symmetric_form& n) { return m += n; }
   friend Symmetric_form operator*(double s, const Symmetric_form& m) { return Symmetric_form(s*m.a, s*m.b, s*m.c); }
 };
+
+// The geometric mean of two positive definite forms: sizes in it are the
+// geometric means of sizes where both have the same axes.
+inline Symmetric_form geometric_mean(const Symmetric_form& m, const Symmetric_form& n)
+{
+  const double root_m = std::sqrt(m.determinant()), root_n = std::sqrt(n.determinant());
+  const Symmetric_form sum = (1 / root_m) * m + (1 / root_n) * n;
+  return std::sqrt(root_m * root_n / sum.determinant()) * sum;
+}
 
 } // namespace internal
 } // namespace Anisotropic_mesh_2
