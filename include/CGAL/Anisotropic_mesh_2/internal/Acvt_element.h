@@ -241,6 +241,9 @@ private:
     for(Generator& g : all)
       for(int k = 0; k < 3; ++k)
         g.squared_distance[k] = e.middle.m(e.corner[k].x - g.position.x, e.corner[k].y - g.position.y);
+    const std::size_t nearest = nearest_to_corner(all, 0);
+    if(nearest_to_corner(all, 1) == nearest && nearest_to_corner(all, 2) == nearest)
+      return Generators(1, all[nearest]);
     Generators kept;
     for(std::size_t i = 0; i < all.size(); ++i) {
       bool is_beaten = false;
@@ -250,6 +253,15 @@ private:
         kept.push_back(all[i]);
     }
     return kept;
+  }
+
+  static std::size_t nearest_to_corner(const Generators& all, int k)
+  {
+    std::size_t nearest = 0;
+    for(std::size_t i = 1; i < all.size(); ++i)
+      if(all[i].squared_distance[k] < all[nearest].squared_distance[k])
+        nearest = i;
+    return nearest;
   }
 
   static bool beats(const Generator& g, const Generator& h)
