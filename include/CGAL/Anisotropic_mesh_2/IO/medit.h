@@ -93,6 +93,8 @@ void write_medit(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_lin
 /// `bool is_in_domain() const` and possibly `int subdomain_index() const`
 /// (else 0 is written). If it has a member `int edge_reference(Edge) const`,
 /// this is the default for `edge_reference`; else the default is 1.
+/// \param os the stream
+/// \param tr the triangulation
 /// \param edge_reference a functor `int(const Tr::Edge&)`
 template <class Tr, class EdgeReference = Anisotropic_mesh_2::internal::Stored_edge_reference>
 void write_medit(std::ostream& os, const Tr& tr, const EdgeReference& edge_reference = EdgeReference())
