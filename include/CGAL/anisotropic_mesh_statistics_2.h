@@ -122,7 +122,7 @@ private:
       double x, y;
       moments[v->index()].pull(x, y);
       m_result.gradient_norm = std::max(m_result.gradient_norm,
-                                        std::sqrt(Symmetric_form(v->metric_tensor())(x, y)));
+                                        Symmetric_form(v->metric_tensor()).length(x, y));
     }
   }
 

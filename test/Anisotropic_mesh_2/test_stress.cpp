@@ -158,6 +158,8 @@ int main(int argc, char* argv[])
   CGAL::Real_timer timer;
   timer.start();
   unsigned int meshes = 0, seed = first;
+  for(unsigned int found_a_defect : {421u, 203298u})
+    meshes += run(found_a_defect);
   for(; argc > 3 ? timer.time() < seconds : seed < first + rounds; ++seed)
     meshes += run(seed);
   std::cout << "seeds " << first << " to " << seed - 1 << ", " << meshes << " meshes" << std::endl;

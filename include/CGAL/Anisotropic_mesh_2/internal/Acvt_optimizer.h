@@ -101,7 +101,7 @@ private:
 
   double metric_length(std::size_t i, const Vector_of_doubles& v) const
   {
-    return std::sqrt(Symmetric_form(m_mover.free_vertices()[i]->metric_tensor())(v.x, v.y));
+    return Symmetric_form(m_mover.free_vertices()[i]->metric_tensor()).length(v.x, v.y);
   }
 
   bool is_finished(Mesh_optimization_return_code& code)

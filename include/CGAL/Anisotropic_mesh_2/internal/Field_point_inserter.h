@@ -142,7 +142,7 @@ private:
   static double distance(const Point& p, const Metric_tensor& m, Vertex_handle v)
   {
     const double x = CGAL::to_double(v->point().x() - p.x()), y = CGAL::to_double(v->point().y() - p.y());
-    return (std::sqrt(Symmetric_form(m)(x, y)) + std::sqrt(Symmetric_form(v->metric_tensor())(x, y))) / 2;
+    return (Symmetric_form(m).length(x, y) + Symmetric_form(v->metric_tensor()).length(x, y)) / 2;
   }
 
   // the constrained edges

@@ -12,6 +12,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -33,6 +34,10 @@ struct Symmetric_form
 
   double operator()(double x, double y) const { return (a*x + 2*b*y)*x + c*y*y; }
   double operator()(double x, double y, double u, double v) const { return (a*x + b*y)*u + (b*x + c*y)*v; }
+
+  // the length of (x, y), which rounding cannot make the root of a negative number
+  double length(double x, double y) const { return std::sqrt(std::max(0., (*this)(x, y))); }
+
   double determinant() const { return difference_of_products(a, c, b, b); }
 
   Symmetric_form& operator+=(const Symmetric_form& m) { a += m.a; b += m.b; c += m.c; return *this; }

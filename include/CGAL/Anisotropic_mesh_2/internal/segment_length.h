@@ -12,6 +12,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL {
@@ -53,7 +54,7 @@ private:
     typedef typename Kernel_traits<Point_2>::Kernel::FT FT;
     const Point_2 x(m_p.x() + FT(t) * (m_q.x() - m_p.x()), m_p.y() + FT(t) * (m_q.y() - m_p.y()));
     const auto m = m_tensor(x);
-    return std::sqrt(CGAL::to_double(m.squared_length(FT(m_dx), FT(m_dy))));
+    return std::sqrt(std::max(0., CGAL::to_double(m.squared_length(FT(m_dx), FT(m_dy)))));
   }
 
   const Point_2& m_p;

@@ -18,18 +18,19 @@ namespace Anisotropic_mesh_2 {
 namespace internal {
 
 // The point to the left of the edge from u to v that completes it to a triangle
-// with two sides of unit length in the metric m. Returns false where the edge
-// is so long that there is none.
+// with two sides of unit length in the metric m. Returns false where the edge is
+// so long that there is none, or m so thin that rounding hides it.
 template <class Point_2>
 bool unit_apex(const Point_2& u, const Point_2& v, const Symmetric_form& m, Point_2& apex)
 {
   const double ux = CGAL::to_double(u.x()), uy = CGAL::to_double(u.y());
   const double dx = CGAL::to_double(v.x()) - ux, dy = CGAL::to_double(v.y()) - uy;
-  const double height_squared = 1 - m(dx, dy) / 4;
-  if(!(height_squared > 0.1))
-    return false;
+  const double edge_squared = m(dx, dy), height_squared = 1 - edge_squared / 4;
   const double nx = -(m.c*dy + m.b*dx), ny = m.a*dx + m.b*dy; // normal to the edge in m
-  const double scale = std::sqrt(height_squared / m(nx, ny));
+  const double normal_squared = m.determinant() * edge_squared;
+  if(!(height_squared > 0.1 && normal_squared > 0))
+    return false;
+  const double scale = std::sqrt(height_squared / normal_squared);
   apex = Point_2(ux + dx/2 + scale*nx, uy + dy/2 + scale*ny);
   return true;
 }
