@@ -10,6 +10,7 @@
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Filtered_side_of_metric_circle_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Side_of_metric_circle_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/segment_length.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
@@ -17,7 +18,6 @@
 
 #include <memory>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 
@@ -80,12 +80,7 @@ public:
     result_type operator()(const Point_2& p) const
     {
       CGAL_precondition_msg(m_field != nullptr, "the traits hold no metric field");
-      try {
-        return (*m_field)(p);
-      }
-      catch(const Invalid_metric_tensor_exception& e) {
-        throw e.at(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-      }
+      return Anisotropic_mesh_2::internal::metric_at(*m_field, p);
     }
 
   private:

@@ -29,7 +29,6 @@ class Statistics_collector
 {
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Face_handle   Face_handle;
-  typedef typename Mesh::Edge          Edge;
 
 public:
   Statistics_collector(const Mesh& mesh, Measure measure) : m_mesh(mesh), m_measure(measure) {}

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "meshes.h"
 
+#include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
@@ -49,7 +50,7 @@ void test_unit_mesh(const Case& c, Point_placement placement)
   CHECK_MSG(s.triangles > 0.9 * 2 * s.ideal_vertices && s.triangles < 1.25 * 2 * s.ideal_vertices, c.name);
 }
 
-// What issue and paper ask of the optimized meshes.
+// What optimized meshes reach with the default settings.
 void test_optimized(const Case& c, double unit_share, double quality_mean, double energy_ratio, bool by_lloyd)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
@@ -173,6 +174,15 @@ void test_refusals()
   CHECK_THROWS(CGAL::make_anisotropic_mesh_2(domain, Field([](const Point& p)
                  { return Tensor::from_entries(p.x() > 0.7 ? -1 : 100, 0, 100); })),
                CGAL::Invalid_metric_tensor_exception, "m11 = -1");
+  // the field names the point itself, and the traits do not name it once more
+  try {
+    CGAL::make_anisotropic_mesh_2(domain, CGAL::make_isotropic_metric_field_2<K>([](const Point&) { return -1.; }));
+    CHECK(false);
+  }
+  catch(const CGAL::Invalid_metric_tensor_exception& e) {
+    const std::string what = e.what(), words = "at the point (";
+    CHECK_MSG(what.find(words) != std::string::npos && what.find(words) == what.rfind(words), what);
+  }
 }
 
 // The field is asked for nothing beyond the domain.

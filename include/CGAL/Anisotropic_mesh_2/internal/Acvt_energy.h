@@ -13,7 +13,7 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
+#include <array>
 #include <vector>
 
 namespace CGAL {

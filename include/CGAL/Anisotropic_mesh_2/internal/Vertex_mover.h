@@ -54,7 +54,6 @@ template <class Mesh>
 class Vertex_mover
 {
   typedef typename Mesh::Point           Point;
-  typedef typename Mesh::Edge            Edge;
   typedef typename Mesh::Vertex_handle   Vertex_handle;
   typedef typename Mesh::Face_handle     Face_handle;
 
