@@ -17,7 +17,6 @@
 #include <CGAL/Triangulation_structural_filtering_traits.h>
 
 #include <memory>
-#include <type_traits>
 
 namespace CGAL {
 
@@ -31,8 +30,11 @@ namespace CGAL {
 ///
 /// The cavity criterion is decided exactly whenever the predicates of `K` are
 /// exact: with `Exact_predicates_inexact_constructions_kernel` by an estimate
-/// in `double`, interval arithmetic and exact arithmetic in this order, with an
-/// exact kernel in its own arithmetic.
+/// in `double`, interval arithmetic and exact arithmetic in this order, with
+/// `Exact_predicates_exact_constructions_kernel` by intervals and exact
+/// arithmetic, with an exact kernel in its own arithmetic. All of them give the
+/// same answer, also for ties. With `Simple_cartesian<double>` it is decided as
+/// rounding errors have it.
 ///
 /// \tparam K a model of `Kernel`.
 /// \tparam MetricField_ a model of `MetricField_2`, for example a function
@@ -49,8 +51,6 @@ class Riemannian_metric_traits_2
   struct Select_side<K2, true>
   { typedef Anisotropic_mesh_2::internal::Filtered_side_of_metric_circle_2<K2> type; };
 
-  static constexpr bool is_filtered = K::Has_filtered_predicates && std::is_same<typename K::FT, double>::value;
-
 public:
   typedef K                              Kernel;
   typedef MetricField_                   Metric_field;
@@ -66,7 +66,12 @@ public:
   /// \f$ \alpha_{M(p)} \alpha_{M(a)} \alpha_{M(b)} \alpha_{M(c)} < 1 \f$ for the
   /// counterclockwise triangle `abc`, that is, if `p` conflicts with it
   /// (section 3.1 of \cgalCite{dw-acvt-05}).
-  typedef typename Select_side<K, is_filtered>::type  Side_of_metric_circle_2;
+  ///
+  /// For kernels with filtered predicates the stages of the filter are members
+  /// with the same arguments, for experiments: `by_doubles()` (if the coordinates
+  /// are doubles) and `by_intervals()` return an `Uncertain<Oriented_side>`,
+  /// `exactly()` an `Oriented_side`.
+  typedef typename Select_side<K, K::Has_filtered_predicates>::type  Side_of_metric_circle_2;
 
   /// evaluates the field.
   class Construct_metric_tensor_2

@@ -30,7 +30,6 @@ typedef CGAL::Exact_rational                                  Rational;
 typedef CGAL::Simple_cartesian<Rational>                      Exact;
 typedef K::Point_2                                            Point;
 typedef CGAL::Metric_tensor_2<K>                              Tensor;
-typedef CGAL::Anisotropic_mesh_2::internal::Side_of_metric_circle_estimate  Estimate;
 
 const double pi = 3.14159265358979323846;
 
@@ -56,12 +55,33 @@ Configuration<Kernel_> converted(const Case& c)
 }
 
 template <class Kernel_>
-CGAL::Oriented_side side(const Configuration<Kernel_>& c)
+using Side = typename CGAL::Riemannian_metric_traits_2<Kernel_,
+  std::function<CGAL::Metric_tensor_2<Kernel_>(const typename Kernel_::Point_2&)> >::Side_of_metric_circle_2;
+
+template <class Predicate, class Kernel_>
+auto apply(const Predicate& predicate, const Configuration<Kernel_>& c)
 {
-  typedef std::function<CGAL::Metric_tensor_2<Kernel_>(const typename Kernel_::Point_2&)> Field;
-  typedef typename CGAL::Riemannian_metric_traits_2<Kernel_, Field>::Side_of_metric_circle_2 Side;
-  return Side()(c.points[0], c.points[1], c.points[2], c.points[3],
-                c.tensors[0], c.tensors[1], c.tensors[2], c.tensors[3]);
+  return predicate(c.points[0], c.points[1], c.points[2], c.points[3],
+                   c.tensors[0], c.tensors[1], c.tensors[2], c.tensors[3]);
+}
+
+template <class Kernel_>
+CGAL::Oriented_side side(const Configuration<Kernel_>& c) { return apply(Side<Kernel_>(), c); }
+
+// the stages of the filter
+CGAL::Uncertain<CGAL::Oriented_side> by_doubles(const Case& c)
+{
+  return apply([](const auto&... args) { return Side<K>().by_doubles(args...); }, c);
+}
+template <class Kernel_>
+CGAL::Uncertain<CGAL::Oriented_side> by_intervals(const Configuration<Kernel_>& c)
+{
+  return apply([](const auto&... args) { return Side<Kernel_>().by_intervals(args...); }, c);
+}
+template <class Kernel_>
+CGAL::Oriented_side exactly(const Configuration<Kernel_>& c)
+{
+  return apply([](const auto&... args) { return Side<Kernel_>().exactly(args...); }, c);
 }
 
 // The definition: the circumcentre a + u solves 2 u^T M (b - a) = |b - a|^2 and
@@ -146,14 +166,16 @@ void verify(Case c, Counts& counts)
                   && side(rotated(rotated(c))) == expected
                   && side(with_other_units(c)) == expected
                   && side(exact) == expected
-                  && side(converted<Lazy>(c)) == expected;
+                  && side(converted<Lazy>(c)) == expected
+                  && exactly(c) == expected
+                  && exactly(converted<Lazy>(c)) == expected;
   CHECK_MSG(right, description(c));
 
-  const Estimate estimate(c.points[0], c.points[1], c.points[2], c.points[3],
-                          c.tensors[0], c.tensors[1], c.tensors[2], c.tensors[3]);
-  CHECK_MSG(!estimate.is_certain() || estimate.side() == expected, "the estimate of " + description(c));
+  const CGAL::Uncertain<CGAL::Oriented_side> estimate = by_doubles(c);
+  for(const auto& uncertain : {estimate, by_intervals(c), by_intervals(converted<Lazy>(c))})
+    CHECK_MSG(!CGAL::is_certain(uncertain) || CGAL::get_certain(uncertain) == expected, "a filter of " + description(c));
   ++counts.cases;
-  counts.certain += estimate.is_certain();
+  counts.certain += CGAL::is_certain(estimate);
   if(expected == CGAL::ON_ORIENTED_BOUNDARY) {
     ++counts.ties;
     counts.mixed_ties += is_mixed(exact);
