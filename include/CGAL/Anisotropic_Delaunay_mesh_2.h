@@ -63,6 +63,7 @@ public:
 
   using Triangulation_kernel::ccw;
   using Triangulation_kernel::cw;
+  using Triangulation_kernel::insert;
   using Triangulation_kernel::insert_constraint;
 
   /// \name Creation
@@ -167,7 +168,8 @@ public:
   }
 
   /// decides for every face whether it belongs to the domain, and to which
-  /// subdomain. To be called after insertions other than by `insert_field_point()`.
+  /// subdomain. To be called after constraints came or went; insertion, removal
+  /// and relocation of vertices keep the marks.
   void mark_domain()
   {
     for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
@@ -203,14 +205,24 @@ public:
   /// to the subdomain of the old ones.
   Vertex_handle insert_field_point(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
   {
-    const bool in_domain = cavity.faces.front()->is_in_domain();
-    const int subdomain = cavity.faces.front()->subdomain_index();
+    const Face_mark mark(cavity.faces.front());
     const Vertex_handle v = this->insert_in_cavity(p, m, cavity);
-    Face_circulator f = this->incident_faces(v), done(f);
-    do {
-      f->set_in_domain(in_domain);
-      f->set_subdomain_index(subdomain);
-    } while(++f != done);
+    mark_star(v, [&](Face_handle) { return mark; });
+    return v;
+  }
+
+  /// inserts `p`, where `m` is the tensor of the field at `p`. The new faces
+  /// belong to the subdomains of the old ones, and both parts of a constrained
+  /// edge on which `p` lies have its reference.
+  Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li) override
+  {
+    if(lt == Triangulation_kernel::VERTEX || this->dimension() < 2)
+      return Triangulation_kernel::insert(p, m, lt, f, li);
+    if(lt == Triangulation_kernel::EDGE && f->is_constrained(li))
+      return split_constrained_edge(p, m, f, li);
+    const Face_mark mark(f);
+    const Vertex_handle v = Triangulation_kernel::insert(p, m, lt, f, li);
+    mark_star(v, [&](Face_handle) { return mark; });
     return v;
   }
 
@@ -221,6 +233,15 @@ private:
   {
     int  reference;
     bool is_boundary;
+  };
+
+  // what a face knows of the domain
+  struct Face_mark
+  {
+    bool is_in_domain;
+    int  subdomain;
+
+    explicit Face_mark(Face_handle f) : is_in_domain(f->is_in_domain()), subdomain(f->subdomain_index()) {}
   };
 
   // a face from which a component is filled
@@ -268,6 +289,39 @@ private:
         added.first->second.is_boundary = added.first->second.is_boundary != mark.is_boundary;
       u = next;
     }
+  }
+
+  template <class Mark_of_face>
+  void mark_star(Vertex_handle v, const Mark_of_face& mark_of)
+  {
+    Face_circulator f = this->incident_faces(v), done(f);
+    do {
+      const Face_mark mark = mark_of(f);
+      f->set_in_domain(mark.is_in_domain);
+      f->set_subdomain_index(mark.subdomain);
+    } while(++f != done);
+  }
+
+  Vertex_handle split_constrained_edge(const Point& p, const Metric_tensor_2& m, Face_handle f, int li)
+  {
+    const Face_mark left(f), right(f->neighbor(li));
+    const Vertex_handle u = f->vertex(ccw(li)), w = f->vertex(cw(li)); // f is on the left from u to w
+    const bool is_outside_left = this->is_infinite(f);
+    const Vertex_handle v = Triangulation_kernel::insert(p, m, Triangulation_kernel::EDGE, f, li);
+    mark_star(v, [&](Face_handle g) {
+      if(this->is_infinite(g))
+        return is_outside_left ? left : right;
+      const int i = g->index(v);
+      const Vertex_handle a = g->vertex(ccw(i)), b = g->vertex(cw(i)), off = a == u || a == w ? b : a;
+      return this->orientation(u->point(), w->point(), off->point()) == LEFT_TURN ? left : right;
+    });
+    const auto mark = m_edge_marks.find(key(u, w));
+    if(mark != m_edge_marks.end()) {
+      const Edge_mark parts = mark->second;
+      m_edge_marks.erase(mark);
+      m_edge_marks[key(u, v)] = m_edge_marks[key(v, w)] = parts;
+    }
+    return v;
   }
 
   // Numbers the components that constrained edges separate, from the outermost

@@ -8,6 +8,8 @@
 #define CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H
 
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Triangulation_checker_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vertex_remover_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
 
 #include <CGAL/Constrained_triangulation_2.h>
@@ -77,6 +79,7 @@ public:
   using Constrained_triangulation::cw;
   using Constrained_triangulation::dimension;
   using Constrained_triangulation::geom_traits;
+  using Constrained_triangulation::are_there_incident_constraints;
   using Constrained_triangulation::insert_constraint;
   using Constrained_triangulation::is_constrained;
   using Constrained_triangulation::is_infinite;
@@ -118,8 +121,9 @@ public:
     return insert(p, geom_traits().construct_metric_tensor_2_object()(p), lt, f, li);
   }
 
-  /// inserts `p`, where `m` is the tensor of the field at `p`.
-  Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
+  /// inserts `p`, where `m` is the tensor of the field at `p`. All insertions of
+  /// points end here; a class whose faces store data overrides it.
+  virtual Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
   {
     if(lt == Constrained_triangulation::VERTEX)
       return dimension() == 0 ? this->finite_vertex() : f->vertex(li);
@@ -136,6 +140,95 @@ public:
   }
 
   Vertex_handle push_back(const Point& p) { return insert(p); }
+
+  /// removes `v` and restores the local criterion around its place.
+  ///
+  /// All that faces and other vertices store stays. The cost is linear in the
+  /// degree of `v` and in the number of flips.
+  /// \return whether `v` was removed. That is always so if the traits decide
+  /// exactly; if they do not, rounding errors may leave no way to fill the hole
+  /// with counterclockwise faces, and `v` stays.
+  /// \pre `v` is a finite vertex of the triangulation and ends no constrained edge.
+  bool remove(Vertex_handle v)
+  {
+    CGAL_precondition(v != Vertex_handle() && !is_infinite(v));
+    CGAL_precondition(!are_there_incident_constraints(v));
+    if(dimension() < 2 || this->test_dim_down(v)) {
+      Constrained_triangulation::remove(v);
+      return true;
+    }
+    std::vector<Edge> changed;
+    const bool is_removed
+      = Anisotropic_mesh_2::internal::Vertex_remover_2<Constrained_anisotropic_Delaunay_triangulation_2>(*this, v)(changed);
+    restore_local_criterion(std::move(changed));
+    return is_removed;
+  }
+
+  /// moves `v` to `p` unless another vertex stands there, and restores the local criterion.
+  ///
+  /// The vertex keeps its handle, its index and all that it stores, and takes
+  /// the tensor of `p`. It may move anywhere if it ends no constrained edge. An
+  /// end of constrained edges takes them along.
+  /// \return `v`, or the vertex that stands at `p`, in which case nothing changes.
+  /// \pre `v` is a finite vertex of the triangulation. If it ends a constrained
+  /// edge, its faces are finite and are still counterclockwise with `v` at `p`.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at
+  /// `p`; nothing changes.
+  Vertex_handle move_if_no_collision(Vertex_handle v, const Point& p)
+  {
+    CGAL_precondition(v != Vertex_handle() && !is_infinite(v));
+    if(v->point() == p)
+      return v;
+    const Metric_tensor_2 m = geom_traits().construct_metric_tensor_2_object()(p);
+    if(is_star_around(v, p)) {
+      v->set_point(p);
+      v->set_metric_tensor(m);
+      restore_local_criterion(edges_of_star(v));
+      return v;
+    }
+    CGAL_precondition(!are_there_incident_constraints(v));
+    Locate_type lt;
+    int li;
+    const Face_handle f = locate(p, lt, li, v->face());
+    if(lt == Constrained_triangulation::VERTEX)
+      return dimension() == 0 ? this->finite_vertex() : f->vertex(li);
+    const int index_bound = m_vertex_index_bound;
+    const Vertex_handle w = insert(p, m, lt, f, li);
+    exchange(v, w);
+    if(!remove(w)) { // where rounding errors leave no hole to fill, v stays
+      exchange(v, w);
+      remove(w);
+    }
+    m_vertex_index_bound = index_bound;
+    return v;
+  }
+
+  /// moves `v` to `p`; if another vertex stands there, `v` is removed.
+  /// \return the vertex at `p`.
+  /// \pre as of `move_if_no_collision()`, and `v` ends no constrained edge if another vertex stands at `p`.
+  Vertex_handle move(Vertex_handle v, const Point& p)
+  {
+    const Vertex_handle w = move_if_no_collision(v, p);
+    if(w != v)
+      remove(v);
+    return w;
+  }
+
+  /// makes the constrained edge a free one, and restores the local criterion.
+  void remove_constrained_edge(Face_handle f, int i)
+  {
+    Constrained_triangulation::remove_constrained_edge(f, i);
+    if(dimension() == 2)
+      restore_local_criterion(std::vector<Edge>(1, Edge(f, i)));
+  }
+
+  /// makes all edges of `v` free ones, and restores the local criterion.
+  void remove_incident_constraints(Vertex_handle v)
+  {
+    Constrained_triangulation::remove_incident_constraints(v);
+    if(dimension() == 2)
+      restore_local_criterion(edges_of_star(v));
+  }
 
   /// inserts the points of a range in the order of `spatial_sort()` and returns
   /// how many vertices came in addition.
@@ -309,18 +402,25 @@ public:
   /// flips the given edges, and then those around the flipped ones, until all
   /// are locally Delaunay.
   ///
-  /// With a constant metric this ends by itself. With different tensors flips
+  /// This ends by itself where all tensors that come into it are multiples of
+  /// one, as with a constant or an isotropic metric. With different tensors flips
   /// might follow each other in a circle; therefore, after a number of flips
   /// proportional to that of the edges, each must also raise the smallest angle
   /// of the two faces, measured in the mean of the tensors of the vertices of each.
   /// \return the number of flips.
   size_type restore_local_criterion(std::vector<Edge> edges)
   {
+    if(edges.empty())
+      return 0;
+    const Metric_tensor_2 first = a_tensor_of(edges.front());
     const size_type free_flips = 4 * edges.size() + 16;
     size_type flips = 0;
+    bool is_uniform = true;
     return flip_edges(std::move(edges), [&](const Edge& e) {
-      return !is_locally_Delaunay(e.first, e.second)
-          && (++flips <= free_flips || flip_raises_smallest_angle(e));
+      if(is_locally_Delaunay(e.first, e.second))
+        return false;
+      is_uniform = is_uniform && has_multiples_of(first, e);
+      return ++flips <= free_flips || is_uniform || flip_raises_smallest_angle(e);
     });
   }
 
@@ -352,25 +452,21 @@ public:
   }
   /// @}
 
-  /// checks the data structure, the marks of the constraints and, with exact
-  /// predicates where the traits have them, that every finite face is strictly
-  /// counterclockwise and the hull convex. With `verbose` the first defect is written to `std::cerr`.
+  /// checks the triangulation; with `verbose` the first defect is written to `std::cerr`.
+  ///
+  /// \param level
+  /// - 0: the data structure, the marks of the constraints, and the geometry:
+  ///   every finite face is strictly counterclockwise and the hull is convex.
+  ///   Coordinates that are floating point numbers are compared exactly.
+  /// - 1: also the vertices: each has the tensor of the field at its point and
+  ///   an index of its own below `vertex_index_bound()`.
+  /// - 2: also the criterion, if the tensors of all vertices are multiples of one:
+  ///   every edge is locally Delaunay, or constrained. How far any other
+  ///   triangulation is Delaunay tells `anisotropic_Delaunay_consistency_2()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
-    if(!this->tds().is_valid(verbose, level))
-      return complain(verbose, "the data structure is not valid");
-    if(dimension() < 2)
-      return true;
-    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
-      for(int i = 0; i < 3; ++i) {
-        const Edge e = mirror_edge(Edge(f, i));
-        if(f->is_constrained(i) != e.first->is_constrained(e.second))
-          return complain(verbose, "an edge is constrained from one side only");
-      }
-    for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
-      if(orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != LEFT_TURN)
-        return complain(verbose, "a face is not counterclockwise");
-    return has_convex_hull() || complain(verbose, "the hull is not convex");
+    typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Constrained_anisotropic_Delaunay_triangulation_2> Checker;
+    return Checker(*this).is_valid(verbose, level);
   }
 
 protected:
@@ -474,22 +570,83 @@ private:
     return Anisotropic_mesh_2::internal::largest_cotangent(a->point(), b->point(), c->point(), m);
   }
 
-  bool has_convex_hull() const
+  static const Metric_tensor_2& a_tensor_of(const Edge& e)
   {
-    auto p = this->incident_vertices(this->infinite_vertex()), done = p; // clockwise
-    do {
-      auto q = p, r = ++q;
-      if(orientation(p->point(), q->point(), (++r)->point()) == LEFT_TURN)
+    return e.first->vertex(ccw(e.second))->metric_tensor();
+  }
+
+  // whether the tensors of the four vertices around the edge are multiples of m
+  bool has_multiples_of(const Metric_tensor_2& m, const Edge& e) const
+  {
+    const Edge n = mirror_edge(e);
+    for(Vertex_handle v : {e.first->vertex(0), e.first->vertex(1), e.first->vertex(2), n.first->vertex(n.second)})
+      if(!is_multiple_of(v->metric_tensor(), m))
         return false;
-    } while(++p != done);
     return true;
   }
 
-  static bool complain(bool verbose, const char* what)
+  // whether the faces of v would be counterclockwise if v stood at p
+  bool is_star_around(Vertex_handle v, const Point& p) const
   {
-    if(verbose)
-      std::cerr << "Constrained_anisotropic_Delaunay_triangulation_2: " << what << std::endl;
-    return false;
+    if(dimension() < 2)
+      return false;
+    Face_circulator f = this->incident_faces(v), done(f);
+    do {
+      const int i = f->index(v);
+      if(is_infinite(f)
+         || orientation(p, f->vertex(ccw(i))->point(), f->vertex(cw(i))->point()) != LEFT_TURN)
+        return false;
+    } while(++f != done);
+    return true;
+  }
+
+  // the edges of the faces of v
+  std::vector<Edge> edges_of_star(Vertex_handle v) const
+  {
+    std::vector<Edge> edges;
+    Face_circulator f = this->incident_faces(v), done(f);
+    do {
+      const int i = f->index(v);
+      edges.push_back(Edge(f, i));
+      edges.push_back(Edge(f, ccw(i)));
+    } while(++f != done);
+    return edges;
+  }
+
+  // the faces that have v, each with the index of v; in low dimension these are edges and vertices
+  std::vector<Edge> corners_at(Vertex_handle v) const
+  {
+    std::vector<Edge> corners;
+    if(dimension() == 2) {
+      Face_circulator f = this->incident_faces(v), done(f);
+      do {
+        corners.push_back(Edge(f, f->index(v)));
+      } while(++f != done);
+    }
+    else
+      for(auto f = this->tds().faces().begin(); f != this->tds().faces().end(); ++f)
+        if(f->has_vertex(v))
+          corners.push_back(Edge(f, f->index(v)));
+    return corners;
+  }
+
+  // lets two vertices take each other's place; everything but point and tensor stays theirs
+  void exchange(Vertex_handle v, Vertex_handle w)
+  {
+    const std::vector<Edge> at_v = corners_at(v), at_w = corners_at(w);
+    for(const Edge& c : at_v)
+      c.first->set_vertex(c.second, w);
+    for(const Edge& c : at_w)
+      c.first->set_vertex(c.second, v);
+    const Point p = v->point();
+    const Metric_tensor_2 m = v->metric_tensor();
+    const Face_handle f = v->face();
+    v->set_point(w->point());
+    v->set_metric_tensor(w->metric_tensor());
+    v->set_face(w->face());
+    w->set_point(p);
+    w->set_metric_tensor(m);
+    w->set_face(f);
   }
 
   int m_vertex_index_bound = 0;

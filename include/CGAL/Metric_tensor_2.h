@@ -167,6 +167,12 @@ public:
     return from_entries(m_11 / (s*s), m_12 / (s*s), m_22 / (s*s));
   }
 
+  /// whether `m` is `n` times a number.
+  friend bool is_multiple_of(const Metric_tensor_2& m, const Metric_tensor_2& n)
+  {
+    return m.m_11 * n.m_22 == m.m_22 * n.m_11 && m.m_11 * n.m_12 == m.m_12 * n.m_11;
+  }
+
   friend bool operator==(const Metric_tensor_2& m, const Metric_tensor_2& n)
   {
     return m.m_11 == n.m_11 && m.m_12 == n.m_12 && m.m_22 == n.m_22;
