@@ -267,7 +267,7 @@ private:
   {
     std::vector<Vertex_handle> vertices(points.size());
     Face_handle hint;
-    for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order<Kernel>(points)) {
+    for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order(points, this->geom_traits())) {
       vertices[i] = this->insert(points[i], hint);
       hint = vertices[i]->face();
     }

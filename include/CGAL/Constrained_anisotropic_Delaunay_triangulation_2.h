@@ -11,6 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Triangulation_checker_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vertex_remover_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
 
 #include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -237,7 +238,8 @@ public:
   {
     const size_type before = number_of_vertices();
     std::vector<Point> points(first, last);
-    CGAL::spatial_sort(points.begin(), points.end(), static_cast<const typename Gt::Kernel&>(geom_traits()));
+    CGAL::spatial_sort(points.begin(), points.end(),
+                       Anisotropic_mesh_2::internal::Spatial_order_traits_2<Gt>(geom_traits()));
     Face_handle hint;
     for(const Point& p : points)
       hint = insert(p, hint)->face();

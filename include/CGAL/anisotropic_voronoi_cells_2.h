@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_VORONOI_CELLS_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Voronoi_cell_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 
 #include <CGAL/number_utils.h>
@@ -47,7 +48,7 @@ private:
       if(vp <= 0)
         kept.push_back(p);
       if((vp < 0 && vq > 0) || (vp > 0 && vq < 0)) {
-        const double t = vp / (vp - vq);
+        const Coordinate<Point_2> t(vp / (vp - vq));
         kept.push_back(Point_2(p.x() + t * (q.x() - p.x()), p.y() + t * (q.y() - p.y())));
       }
     }
@@ -86,7 +87,7 @@ cell_polygons(const Mesh& mesh, typename Mesh::Vertex_handle v, const Construct_
       const Point &a = v->point(), &b = f->vertex(Mesh::ccw(i))->point(), &c = f->vertex(Mesh::cw(i))->point();
       const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
       for(const Point& p : Corner_part<Point>(a, b, c, Symmetric_form(tensor(barycentre))).boundary())
-        if(polygons.back().empty() || polygons.back().back() != p)
+        if(polygons.back().empty() || !mesh.xy_equal(polygons.back().back(), p))
           polygons.back().push_back(p);
     }
     is_in_run = f->is_in_domain();

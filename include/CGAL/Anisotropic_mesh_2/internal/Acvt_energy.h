@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
 
 #include <CGAL/number_utils.h>
@@ -69,7 +70,7 @@ private:
 
   Weighted_tensor tensor_at(const Vector_of_doubles& x) const
   {
-    return Weighted_tensor(Symmetric_form(m_tensor(Point(x.x, x.y))), m_is_riemannian);
+    return Weighted_tensor(Symmetric_form(m_tensor(point_at<Point>(x.x, x.y))), m_is_riemannian);
   }
 
   double add_face(Face_handle f, std::vector<Region_moments>& moments) const

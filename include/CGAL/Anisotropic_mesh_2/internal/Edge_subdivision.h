@@ -7,9 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_EDGE_SUBDIVISION_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_EDGE_SUBDIVISION_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/three_point_gauss.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace internal {
 template <class Point_2>
 class Edge_subdivision
 {
-  typedef typename Kernel_traits<Point_2>::Kernel::FT FT;
+  typedef Coordinate<Point_2> FT;
 
 public:
   // the interior division points of the edge from p to q, whose tensors at the

@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_MOVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 
 #include <CGAL/number_utils.h>
@@ -131,11 +132,11 @@ private:
   static void place(Vertex_handle v, const Vector_of_doubles& start, const Vector_of_doubles& target, int times)
   {
     if(times > halvings) {
-      v->set_point(Point(start.x, start.y));
+      v->set_point(point_at<Point>(start.x, start.y));
       return;
     }
     const double t = 1. / (1 << times);
-    v->set_point(Point(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y)));
+    v->set_point(point_at<Point>(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y)));
   }
 
   bool is_inverted(Face_handle f) const
@@ -146,7 +147,7 @@ private:
   void place_all(const Vectors& positions)
   {
     for(std::size_t i = 0; i < m_free.size(); ++i)
-      m_free[i]->set_point(Point(positions[i].x, positions[i].y));
+      m_free[i]->set_point(point_at<Point>(positions[i].x, positions[i].y));
   }
 
   // Sets all tensors or, if the field fails at a vertex, none.

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REINSERTER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REINSERTER_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
@@ -62,12 +63,12 @@ public:
 private:
   static constexpr int halvings = 6;
 
-  static std::vector<std::size_t> spatial_order(const Vectors& positions)
+  std::vector<std::size_t> spatial_order(const Vectors& positions) const
   {
     std::vector<Point> points;
     for(const Vector_of_doubles& p : positions)
-      points.push_back(Point(p.x, p.y));
-    return internal::spatial_order<typename Mesh::Kernel>(points);
+      points.push_back(point_at<Point>(p.x, p.y));
+    return internal::spatial_order(points, m_mesh.geom_traits());
   }
 
   static Vertex_handle insert_on_the_way(Mesh& mesh, const Vector_of_doubles& start,
@@ -75,7 +76,7 @@ private:
   {
     double t = 1;
     for(int i = 0; i <= halvings; ++i, t = i < halvings ? t / 2 : 0) {
-      const Point p(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y));
+      const Point p = point_at<Point>(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y));
       typename Mesh::Locate_type lt;
       int li;
       const Face_handle f = mesh.locate(p, lt, li, hint);

@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_AREA_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Too_many_vertices_exception.h>
 
 #include <CGAL/number_utils.h>
@@ -94,7 +95,7 @@ double metric_area(const Mesh& mesh, double exponent, double relative_tolerance,
 {
   const auto tensor = mesh.geom_traits().construct_metric_tensor_2_object();
   const auto density = [&](double x, double y) {
-    const double det = CGAL::to_double(tensor(typename Mesh::Point(x, y)).determinant());
+    const double det = CGAL::to_double(tensor(point_at<typename Mesh::Point>(x, y)).determinant());
     return exponent == 0.5 ? std::sqrt(det) : std::pow(det, exponent);
   };
   Adaptive_triangle_integral<decltype(density)> integral(density, relative_tolerance, maximum_quarterings);

@@ -7,9 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SEGMENT_LENGTH_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SEGMENT_LENGTH_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/three_point_gauss.h>
 
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ private:
 
   double speed(double t) const
   {
-    typedef typename Kernel_traits<Point_2>::Kernel::FT FT;
+    typedef Coordinate<Point_2> FT;
     const Point_2 x(m_p.x() + FT(t) * (m_q.x() - m_p.x()), m_p.y() + FT(t) * (m_q.y() - m_p.y()));
     const auto m = m_tensor(x);
     return std::sqrt(std::max(0., CGAL::to_double(m.squared_length(FT(m_dx), FT(m_dy)))));

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_UNIT_APEX_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_UNIT_APEX_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 
 #include <CGAL/number_utils.h>
@@ -31,7 +32,7 @@ bool unit_apex(const Point_2& u, const Point_2& v, const Symmetric_form& m, Poin
   if(!(height_squared > 0.1 && normal_squared > 0))
     return false;
   const double scale = std::sqrt(height_squared / normal_squared);
-  apex = Point_2(ux + dx/2 + scale*nx, uy + dy/2 + scale*ny);
+  apex = point_at<Point_2>(ux + dx/2 + scale*nx, uy + dy/2 + scale*ny);
   return true;
 }
 
