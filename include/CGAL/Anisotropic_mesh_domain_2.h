@@ -134,6 +134,7 @@ public:
 
   /// adds an inner curve of segments through the given points, open unless the
   /// first point is repeated at the end.
+  /// \tparam PointRange a range of `Point_2`
   /// \throw Invalid_domain_exception if a coordinate is not finite.
   template <class PointRange>
   void add_polyline(const PointRange& points, int reference = 1)

@@ -47,7 +47,8 @@ namespace CGAL {
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Tds a model of `TriangulationDataStructure_2` whose vertices model
 /// `AnisotropicMeshVertexBase_2` and whose faces model `ConstrainedTriangulationFaceBase_2`.
-/// \tparam Itag what to do about intersecting constraints, as in `Constrained_triangulation_2`.
+/// \tparam Itag what to do about intersecting constraints, as in `Constrained_triangulation_2`. The
+/// default refuses them; with another one `Gt` must also model `ConstrainedTriangulationTraits_2`.
 template <class Gt, class Tds_ = Default, class Itag_ = Default>
 class Constrained_anisotropic_Delaunay_triangulation_2
   : public Constrained_triangulation_2<
@@ -233,6 +234,7 @@ public:
 
   /// inserts the points of a range in the order of `spatial_sort()` and returns
   /// how many vertices came in addition.
+  /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
   std::ptrdiff_t insert(PointIterator first, PointIterator last)
   {
@@ -248,6 +250,7 @@ public:
 
   /// inserts the points of a range and the segments between consecutive ones
   /// as constraints, and if `close` the segment from the last to the first.
+  /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
   void insert_constraint(PointIterator first, PointIterator last, bool close = false)
   {

@@ -2,7 +2,8 @@
 /// \cgalConcept
 ///
 /// The concept `AnisotropicMeshFaceBase_2` describes the faces of anisotropic
-/// meshes, which know whether they belong to the domain.
+/// meshes, which know whether they belong to the domain. What they know is not
+/// asked for before it is set.
 ///
 /// \cgalRefines{ConstrainedTriangulationFaceBase_2}
 ///
@@ -17,7 +18,7 @@ public:
   /// sets whether the face belongs to the domain.
   void set_in_domain(bool b);
 
-  /// the reference of the subdomain of the face, meaningful in the domain.
+  /// the reference of the subdomain of the face, any number, meaningful in the domain.
   int subdomain_index() const;
   /// sets the reference of the subdomain.
   void set_subdomain_index(int i);

@@ -4,6 +4,9 @@
 /// The concept `AnisotropicMeshVertexBase_2` describes the vertices of
 /// anisotropic triangulations, which keep the metric tensor of their position.
 ///
+/// `Metric_tensor_2` is the type of the traits. Tensors and indices are not
+/// asked for before they are set.
+///
 /// \cgalRefines{TriangulationVertexBase_2}
 ///
 /// \cgalHasModelsBegin
@@ -12,15 +15,12 @@
 class AnisotropicMeshVertexBase_2
 {
 public:
-  /// the type of the tensors, that of the traits.
-  typedef unspecified_type Metric_tensor_2;
-
   /// the tensor of the field at the position of the vertex.
   const Metric_tensor_2& metric_tensor() const;
   /// sets the tensor; the triangulation does so when it inserts or moves the vertex.
   void set_metric_tensor(const Metric_tensor_2& m);
 
-  /// the rank of the vertex in the order of insertion; negative for a vertex not yet numbered.
+  /// the rank of the vertex in the order of insertion.
   int index() const;
   /// sets the index; the triangulation does so when it inserts the vertex.
   void set_index(int i);

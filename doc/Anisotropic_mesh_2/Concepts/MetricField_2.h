@@ -6,9 +6,10 @@
 ///
 /// \cgalRefines{CopyConstructible}
 ///
-/// The function may be called for any point of the domain and of its boundary,
-/// and from several threads at the same time, so that it must not change any
-/// state that calls share. It need not be continuous. A point at which it has
+/// The function may be called for any point of the domain and of its boundary, and
+/// for what lies between a curve of the boundary and its chords; and from several
+/// threads at the same time, so that it must not change any state that calls
+/// share. It need not be continuous. A point at which it has
 /// no valid tensor is reported by the exception that the construction of
 /// `CGAL::Metric_tensor_2` throws.
 ///
@@ -23,6 +24,7 @@
 class MetricField_2
 {
 public:
-  /// the tensor at `p`, where `K` is the kernel of the traits.
+  /// the tensor at `p`, where `K` is the kernel of the traits; it may also be
+  /// returned by reference.
   CGAL::Metric_tensor_2<K> operator()(const K::Point_2& p) const;
 };

@@ -6,7 +6,15 @@
 /// and of all that builds on it: the plane under a metric field. The field is
 /// state of the traits, shared by their copies.
 ///
-/// \cgalRefines{ConstrainedTriangulationTraits_2,SpatialSortingTraits_2,DefaultConstructible}
+/// Default constructed traits need not hold a field; they are only assigned to.
+/// Function objects are copied and called, and used as long as a copy of the
+/// traits that made them lives.
+///
+/// Where constraints may intersect, that is, with a tag other than
+/// `CGAL::No_constraint_intersection_requiring_constructions_tag`, traits must
+/// also model `ConstrainedTriangulationTraits_2`.
+///
+/// \cgalRefines{TriangulationTraits_2,SpatialSortingTraits_2}
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Riemannian_metric_traits_2<K, MetricField>}
@@ -17,12 +25,18 @@ public:
   /// \name Types
   /// @{
 
-  /// the kernel of the points. The traits convert to `const Kernel&`, by which
-  /// ranges of points are sorted.
-  typedef unspecified_type Kernel;
-
-  /// the number type of coordinates and tensors.
+  /// the number type of coordinates and tensors, a model of `FieldNumberType`
+  /// that mixes with `int` and can be constructed from `double`. Other
+  /// conversions are explicit, by `FT(double)` and `CGAL::to_double()`.
   typedef unspecified_type FT;
+
+  /// the type of points: default and copy constructible, assignable, constructible
+  /// from two coordinates `(FT, FT)`, which its members `x()` and `y()` return.
+  typedef unspecified_type Point_2;
+
+  /// a class whose types `FT` and `Point_2` are those of the traits, and whose
+  /// type `Vector_2` may be incomplete; for example a kernel of \cgal.
+  typedef unspecified_type Kernel;
 
   /// `CGAL::Metric_tensor_2<Kernel>`.
   typedef unspecified_type Metric_tensor_2;
@@ -51,11 +65,6 @@ public:
   /// throws `CGAL::Invalid_metric_tensor_exception` where it has none.
   typedef unspecified_type Construct_metric_tensor_2;
 
-  /// provides `FT operator()(Point_2 x, Point_2 z)` and
-  /// `FT operator()(Point_2 x, Point_2 z, Metric_tensor_2 mx)`, the squared length of
-  /// the vector from `x` to `z` in the tensor at `x`.
-  typedef unspecified_type Compute_squared_directional_distance_2;
-
   /// provides `double operator()(Point_2 p, Point_2 q)`, the Riemannian length of
   /// the segment from `p` to `q`.
   typedef unspecified_type Compute_riemannian_length_2;
@@ -65,7 +74,6 @@ public:
   /// @{
   Side_of_metric_circle_2 side_of_metric_circle_2_object() const;
   Construct_metric_tensor_2 construct_metric_tensor_2_object() const;
-  Compute_squared_directional_distance_2 compute_squared_directional_distance_2_object() const;
   Compute_riemannian_length_2 compute_riemannian_length_2_object() const;
   /// @}
 };

@@ -34,6 +34,7 @@ struct Mesh_statistics
   double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre
 
   /// calls `visit(name, value)` for each figure in the order above.
+  /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const
   {

@@ -15,6 +15,8 @@ namespace Anisotropic_mesh_2 {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the region of a generator as polygons.
+///
+/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
 template <class K>
 struct Voronoi_cell_2
 {

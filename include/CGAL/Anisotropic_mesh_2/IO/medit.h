@@ -116,6 +116,8 @@ void write_medit_metric(std::ostream& os, const std::vector<Metric_tensor_2<K>>&
 
 /// writes the tensors of the vertices of a triangulation, which have a member
 /// `metric_tensor()`, in the order in which `write_medit()` writes the vertices.
+///
+/// \tparam Tr as for `write_medit()`; the vertices return a `Metric_tensor_2`
 template <class Tr>
 void write_medit_metric(std::ostream& os, const Tr& tr)
 {
