@@ -297,7 +297,7 @@ void test_marked_triangulation()
   for(auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
     f->m_is_in_domain = CGAL::to_double(f->vertex(0)->point().x() + f->vertex(1)->point().x()
                                         + f->vertex(2)->point().x()) > 3;
-  CHECK(t.is_valid());
+  CHECK(t.tds().is_valid()); // t.is_valid() of some versions of CGAL writes points
   test_writers(t);
 }
 
@@ -327,7 +327,7 @@ void test_fields()
   test_field(square, CGAL::make_isotropic_metric_field_2<K>(Size_archetype<K>::make()));
   test_field(square, CGAL::make_directional_metric_field_2<K>(Sizes_archetype<K>::make()));
 
-  // a chord that rounding moves below the curve is still within the square
+  // the chords of the curve lie below it, outside of the domain, but still within the square
   const Piece curve = Piece::parametrized(Curve_archetype<K>::make(), 0, 1);
   CGAL::Anisotropic_mesh_domain_2<K> curved;
   curved.add_loop(Range_archetype<Piece>::make(
