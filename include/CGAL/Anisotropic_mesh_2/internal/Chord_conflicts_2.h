@@ -87,7 +87,7 @@ private:
     const bool source_shared = a.source == b.source || a.source == b.target;
     const bool target_shared = a.target == b.source || a.target == b.target;
     if(!source_shared && !target_shared)
-      return typename Exact::Do_intersect_2()(segment(a), segment(b));
+      return Exact().do_intersect_2_object()(segment(a), segment(b));
     if(source_shared && target_shared)
       return true;
     const std::size_t shared = source_shared ? a.source : a.target;
@@ -97,8 +97,9 @@ private:
   // tells whether the chords from o to p and from o to q have the same direction
   bool overlap(std::size_t o, std::size_t p, std::size_t q) const
   {
-    return typename Exact::Orientation_2()(m_points[o], m_points[p], m_points[q]) == COLLINEAR
-        && !typename Exact::Collinear_are_strictly_ordered_along_line_2()(m_points[p], m_points[o], m_points[q]);
+    const Exact kernel = Exact();
+    return kernel.orientation_2_object()(m_points[o], m_points[p], m_points[q]) == COLLINEAR
+        && !kernel.collinear_are_strictly_ordered_along_line_2_object()(m_points[p], m_points[o], m_points[q]);
   }
 
   typedef std::array<Exact_point, parts_of_curve + 1> Ring;
@@ -145,7 +146,7 @@ private:
         continue;
       if(a.y() > b.y())
         std::swap(a, b);
-      inside ^= typename Exact::Orientation_2()(a, b, p) == LEFT_TURN;
+      inside ^= Exact().orientation_2_object()(a, b, p) == LEFT_TURN;
     }
     return inside;
   }

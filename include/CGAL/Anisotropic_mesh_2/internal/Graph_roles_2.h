@@ -203,8 +203,8 @@ private:
 
   Orientation side(std::size_t v, std::size_t a, std::size_t b) const
   {
-    return typename Exact::Orientation_2()(exact_point<K>(m_graph.points[v]), exact_point<K>(m_graph.points[a]),
-                                           exact_point<K>(m_graph.points[b]));
+    return Exact().orientation_2_object()(exact_point<K>(m_graph.points[v]), exact_point<K>(m_graph.points[a]),
+                                          exact_point<K>(m_graph.points[b]));
   }
 
   const Graph&                           m_graph;

@@ -137,8 +137,9 @@ private:
   static bool lies_exactly_on(const Curve_piece_2<K>& segment, const Point_2& p)
   {
     const auto a = exact_point<K>(segment.source()), b = exact_point<K>(segment.target()), q = exact_point<K>(p);
-    return typename Exact::Collinear_2()(a, b, q)
-        && typename Exact::Collinear_are_strictly_ordered_along_line_2()(a, q, b);
+    const Exact kernel = Exact();
+    return kernel.collinear_2_object()(a, b, q)
+        && kernel.collinear_are_strictly_ordered_along_line_2_object()(a, q, b);
   }
 
   static double projection(const Curve_piece_2<K>& segment, const Point_2& p)
