@@ -34,11 +34,11 @@ namespace CGAL {
 /// `Invalid_metric_tensor_exception` unless the result is finite and positive
 /// definite. A default constructed tensor is the identity.
 ///
-/// \tparam K a class with the types `FT`, that of the entries, and `Vector_2`, for
-/// example a model of `Kernel`. With `double` entries, ratios `h1 : h2` up to about
-/// 10<sup>7</sup> are resolved in any direction, and sizes lie between 10<sup>-75</sup>
-/// and 10<sup>75</sup>; beyond, the determinant leaves the range of numbers and the
-/// tensor is refused.
+/// \tparam K a class with the types `FT`, that of the entries, a number type as
+/// `RiemannianMetricTraits_2` has it, and `Vector_2`; for example a model of `Kernel`.
+/// With `double` entries, ratios `h1 : h2` up to about 10<sup>7</sup> are resolved
+/// in any direction, and sizes lie between 10<sup>-75</sup> and 10<sup>75</sup>;
+/// beyond, the determinant leaves the range of numbers and the tensor is refused.
 template <class K>
 class Metric_tensor_2
 {

@@ -44,7 +44,7 @@ template <class Mesh, class Domain>
 void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_traits& traits, std::size_t limit)
 {
   typedef typename Mesh::Kernel Kernel;
-  const Constant_metric_field_2<Kernel> coarse(Metric_tensor_2<Kernel>::from_size(1e60));
+  const Constant_metric_field_2<Kernel> coarse(Metric_tensor_2<Kernel>::from_size(typename Kernel::FT(1e60)));
   Mesh mesh(traits);
   insert_boundary(mesh, unit_boundary_mesh(domain, coarse, limit, true));
   try {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Text_scanner.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Invalid_metric_tensor_exception.h>
 #include <CGAL/Metric_tensor_2.h>
 
@@ -198,7 +199,7 @@ private:
       const double y = m_scanner.number("the y coordinate");
       if(m_scanner.dimension() == 3)
         check_z(m_scanner.number("the z coordinate"), i, first_z);
-      m_graph.points.emplace_back(x, y);
+      m_graph.points.push_back(point_at<typename K::Point_2>(x, y));
       m_graph.point_references.push_back(m_scanner.integer<int>("the reference"));
     }
   }
@@ -286,7 +287,8 @@ template <class K>
 class Medit_metric_reader
 {
 public:
-  typedef Metric_tensor_2<K>  Tensor;
+  typedef typename K::FT       FT;
+  typedef Metric_tensor_2<K>   Tensor;
 
   explicit Medit_metric_reader(const std::string& file) : m_scanner(file)
   {
@@ -333,13 +335,13 @@ private:
     return type == 3;
   }
 
-  Tensor read_size() { return Tensor::from_size(m_scanner.number("the size")); }
+  Tensor read_size() { return Tensor::from_size(FT(m_scanner.number("the size"))); }
 
   Tensor read_tensor()
   {
-    const double m11 = m_scanner.number("the entry m11");
-    const double m12 = m_scanner.number("the entry m12");
-    const double m22 = m_scanner.number("the entry m22");
+    const FT m11(m_scanner.number("the entry m11"));
+    const FT m12(m_scanner.number("the entry m12"));
+    const FT m22(m_scanner.number("the entry m22"));
     return Tensor::from_entries(m11, m12, m22);
   }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Text_scanner.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 
 #include <cmath>
 #include <cstddef>
@@ -77,7 +78,7 @@ private:
       read_vertex_index(s, i);
       const double x = s.number("the x coordinate");
       const double y = s.number("the y coordinate");
-      m_graph.points.emplace_back(x, y);
+      m_graph.points.push_back(point_at<typename K::Point_2>(x, y));
       for(std::size_t j = 0; j < header.attributes; ++j)
         s.number("an attribute");
       m_graph.point_references.push_back(header.has_marker ? s.integer<int>("the marker") : 0);
@@ -176,7 +177,7 @@ private:
     s.begin_line();
     s.integer<long long>("the index");
     const double x = s.number("the x coordinate");
-    return typename K::Point_2(x, s.number("the y coordinate"));
+    return point_at<typename K::Point_2>(x, s.number("the y coordinate"));
   }
 
   int read_regional_attribute(Text_scanner& s)
