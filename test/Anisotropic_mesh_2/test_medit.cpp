@@ -8,6 +8,7 @@
 // message.
 
 #include "include/check.h"
+#include "include/equal_graphs.h"
 #include "include/marked_triangulation.h"
 #include "include/scratch_directory.h"
 
@@ -27,18 +28,6 @@ typedef CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>  Graph;
 typedef CGAL::Metric_tensor_2<Kernel>                                   Tensor;
 typedef CGAL::Mesh_io_exception                                         Bad;
 typedef std::array<std::size_t, 3>                                      Triangle;
-
-bool are_equal(const Graph& a, const Graph& b)
-{
-  if(a.points != b.points || a.point_references != b.point_references || a.triangles != b.triangles ||
-     a.triangle_references != b.triangle_references || a.edges.size() != b.edges.size())
-    return false;
-  for(std::size_t i = 0; i < a.edges.size(); ++i)
-    if(a.edges[i].source != b.edges[i].source || a.edges[i].target != b.edges[i].target ||
-       a.edges[i].reference != b.edges[i].reference)
-      return false;
-  return true;
-}
 
 void test_reading(const std::string& data)
 {

@@ -7,12 +7,12 @@
 // Reading and writing of .poly files, and each kind of malformed file with its message.
 
 #include "include/check.h"
+#include "include/equal_graphs.h"
 #include "include/scratch_directory.h"
 
 #include <CGAL/Anisotropic_mesh_2/IO/poly.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -22,19 +22,6 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel             Kernel;
 typedef Kernel::Point_2                                                 Point;
 typedef CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>  Graph;
 typedef CGAL::Mesh_io_exception                                         Bad;
-
-bool are_equal(const Graph& a, const Graph& b)
-{
-  const auto same_edge = [](const Graph::Edge& e, const Graph::Edge& f) {
-    return e.source == f.source && e.target == f.target && e.reference == f.reference;
-  };
-  const auto same_region = [](const Graph::Region& r, const Graph::Region& s) {
-    return r.seed == s.seed && r.reference == s.reference;
-  };
-  return a.points == b.points && a.point_references == b.point_references && a.holes == b.holes &&
-         std::equal(a.edges.begin(), a.edges.end(), b.edges.begin(), b.edges.end(), same_edge) &&
-         std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same_region);
-}
 
 void test_reading(const std::string& data)
 {
