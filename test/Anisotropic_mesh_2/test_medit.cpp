@@ -160,6 +160,8 @@ void test_malformed_meshes(const Scratch_directory& scratch)
     {head + "Vertices\n0\nEdges\n1\n1 1 1\nEnd\n", "found '1', but there is none"},
     {vertices + "Quadrilaterals\n1\n1 2 3 1 0\nEnd\n", ":9: Quadrilaterals: this section is not supported"},
     {vertices + "Strange\n1\n1 2 3 1 0\nEnd\n", ":8: the section Strange is not supported"},
+    {vertices + "Str\033[1m\377ange\nEnd\n", ":8: the section Str?[1m?ange is not supported"},
+    {vertices + std::string(50, 'V') + "\n", ":8: the section " + std::string(40, 'V') + "... is not supported"},
     {vertices + "Corners\n2\n1\nEnd\n", ":11: Corners 2 of 2: expected a number, found 'End'"},
     {vertices + "Identifier\nnot quoted\nEnd\n", ":9: expected a text in quotation marks, found 'not'"},
     {vertices + "Edges\n1\n1 2 1", "ends in the middle of a line and without the keyword End"},

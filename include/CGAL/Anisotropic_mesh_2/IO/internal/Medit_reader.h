@@ -73,17 +73,16 @@ public:
   template <class Read>
   void read_sections(const Read& read)
   {
-    std::string_view keyword;
+    std::string keyword;
     while(!is_at_end() && (keyword = next_keyword()) != "End") {
-      const std::string name(keyword);
-      if(name == "MeshVersionFormatted")
+      if(keyword == "MeshVersionFormatted")
         read_version();
-      else if(name == "Dimension")
+      else if(keyword == "Dimension")
         read_dimension();
       else if(m_dimension == 0)
-        fail("expected Dimension before " + name);
-      else if(!read(name))
-        skip_section(name);
+        fail("expected Dimension before " + keyword);
+      else if(!read(keyword))
+        skip_section(keyword);
       set_item(nullptr);
     }
     if(keyword != "End" && !ends_with_newline())
@@ -99,15 +98,16 @@ public:
   }
 
 private:
-  std::string_view next_keyword()
+  // all keywords that are known are printable
+  std::string next_keyword()
   {
-    const std::string_view w = next_word();
+    const std::string w = printable(next_word());
     const bool is_word = (w[0] >= 'A' && w[0] <= 'Z') || (w[0] >= 'a' && w[0] <= 'z');
     if(!is_word)
       mismatch(m_last.empty() ? "MeshVersionFormatted" : "a keyword after the section " + m_last, w,
                m_last.empty() ? "" : "does the section hold more lines than its number tells?");
-    if(!m_seen.insert(std::string(w)).second)
-      fail("the section " + std::string(w) + " is there twice");
+    if(!m_seen.insert(w).second)
+      fail("the section " + w + " is there twice");
     m_last = w;
     return w;
   }

@@ -13,11 +13,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -115,9 +116,7 @@ public:
     const std::from_chars_result result = std::from_chars(without_plus(w), end, x);
     if(result.ptr != end || result.ec == std::errc::invalid_argument)
       mismatch(expected, w);
-    if(result.ec == std::errc::result_out_of_range)
-      x = std::strtod(std::string(w).c_str(), nullptr); // zero or infinity
-    if(!std::isfinite(x))
+    if(!std::isfinite(x) || (result.ec == std::errc::result_out_of_range && is_large(w)))
       mismatch(expected, w, "which is not finite");
     return x;
   }
@@ -158,6 +157,15 @@ public:
   {
     return last < first ? "but there is none"
                         : "which is not between " + std::to_string(first) + " and " + std::to_string(last);
+  }
+
+  // the word as messages show it, however long and strange it is
+  static std::string printable(std::string_view w)
+  {
+    std::string shown;
+    for(char c : w.substr(0, 40))
+      shown += c >= 0x20 && c < 0x7f ? c : '?';
+    return w.size() > 40 ? shown + "..." : shown;
   }
 
   std::string_view last_word() const { return std::string_view(m_text).substr(m_word, m_position - m_word); }
@@ -223,6 +231,16 @@ private:
     return last_word();
   }
 
+  // tells which end of the range of numbers a number is beyond, whatever the locale of the program is
+  static bool is_large(std::string_view w)
+  {
+    double x = 0;
+    std::istringstream in{std::string(w)};
+    in.imbue(std::locale::classic());
+    in >> x;
+    return std::abs(x) > 1;
+  }
+
   static const char* without_plus(std::string_view w)
   {
     return w.size() > 1 && w[0] == '+' && w[1] != '-' ? w.data() + 1 : w.data();
@@ -241,10 +259,7 @@ private:
   {
     if(w.empty())
       return m_position < m_text.size() ? "the end of the line" : "the end of the file";
-    std::string shown;
-    for(char c : w.substr(0, 40))
-      shown += c >= 0x20 && c < 0x7f ? c : '?';
-    return '\'' + shown + (w.size() > 40 ? "...'" : "'");
+    return '\'' + printable(w) + '\'';
   }
 
   std::string m_file, m_text;
