@@ -13,6 +13,7 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
+#include <limits>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
@@ -20,7 +21,7 @@ namespace internal {
 
 // The point to the left of the edge from u to v that completes it to a triangle
 // with two sides of unit length in the metric m. Returns false where the edge is
-// so long that there is none, or m so thin that rounding hides it.
+// so long that there is none, or so short or m so thin that rounding hides it.
 template <class Point_2>
 bool unit_apex(const Point_2& u, const Point_2& v, const Symmetric_form& m, Point_2& apex)
 {
@@ -29,7 +30,7 @@ bool unit_apex(const Point_2& u, const Point_2& v, const Symmetric_form& m, Poin
   const double edge_squared = m(dx, dy), height_squared = 1 - edge_squared / 4;
   const double nx = -(m.c*dy + m.b*dx), ny = m.a*dx + m.b*dy; // normal to the edge in m
   const double normal_squared = m.determinant() * edge_squared;
-  if(!(height_squared > 0.1 && normal_squared > 0))
+  if(!(height_squared > 0.1 && normal_squared >= (std::numeric_limits<double>::min)()))
     return false;
   const double scale = std::sqrt(height_squared / normal_squared);
   apex = point_at<Point_2>(ux + dx/2 + scale*nx, uy + dy/2 + scale*ny);
