@@ -165,6 +165,23 @@ void test_interpolation()
   CHECK(are_close(field(Point(-1, -1)), Tensor::from_size(1), 1e-14));
 }
 
+// Coordinates whose squares are no numbers interpolate like all others, and so do very far points.
+void test_extreme_coordinates()
+{
+  const std::vector<Tensor> tensors = {Tensor::from_size(1), Tensor::from_size(4), Tensor::from_sizes(1, 16)};
+  for(double s : {1e-300, 1e-200, 1., 1e200, 1e307}) {
+    Background g;
+    g.points = {Point(0, 0), Point(s, 0), Point(0, s)};
+    g.triangles.push_back({0, 1, 2});
+    const Discrete field(g, tensors);
+    CHECK(are_close(field(Point(0.5*s, 0)), Tensor::from_size(2), 1e-14));
+    CHECK(are_close(field(Point(0, 0.25*s)), Tensor::from_sizes(1, 2), 1e-14));
+    CHECK(are_close(field(Point(0.5*s, -7*s)), Tensor::from_size(2), 1e-14));
+    CHECK(are_close(field(Point(-1e308, 1e308)), tensors[2], 1e-14));
+    CHECK(are_close(field(Point(1e308, -1e300)), tensors[1], 1e-14));
+  }
+}
+
 // a background with a hole, and with triangles of very different sizes
 void test_uneven_background()
 {
@@ -230,6 +247,7 @@ int main()
   test_callables();
   test_discrete_field();
   test_interpolation();
+  test_extreme_coordinates();
   test_uneven_background();
   test_refusals();
   test_threads();

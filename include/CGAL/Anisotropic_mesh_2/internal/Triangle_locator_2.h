@@ -28,6 +28,9 @@ namespace internal {
 // Finds the triangle that holds a point, or the nearest one, and the
 // barycentric coordinates there, by a balanced tree of bounding boxes. Queries
 // are const and keep no state.
+//
+// All coordinates but those that predicates see are scaled by a power of two
+// that brings the largest one near to 1: their squares do not overflow.
 template <class K>
 class Triangle_locator_2
 {
@@ -43,7 +46,7 @@ public:
   };
 
   Triangle_locator_2(const std::vector<Point_2>& points, const std::vector<Triangle>& triangles)
-    : m_points(points), m_triangles(triangles)
+    : m_points(points), m_triangles(triangles), m_scale(scale_of(points))
   {
     if(triangles.empty())
       throw std::invalid_argument("the background mesh has no triangles");
@@ -56,8 +59,8 @@ public:
   // nearer than what was found.
   Place locate(const Point_2& p) const
   {
-    const Xy q = xy(p);
-    CGAL_precondition(std::isfinite(q[0]) && std::isfinite(q[1]));
+    CGAL_precondition(CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()));
+    const Xy q = query(p);
     std::array<std::size_t, max_depth> stack = {0};
     std::size_t size = 1;
     Candidate best = {std::numeric_limits<double>::infinity(), {m_triangles[0], {1, 0, 0}}};
@@ -117,8 +120,32 @@ private:
 
   static constexpr std::size_t leaf_size = 4, max_depth = 128;
 
-  static Xy xy(const Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
+  static double largest_coordinate(const Point_2& p)
+  {
+    return (std::max)(std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y())));
+  }
+
+  static double scale_of(const std::vector<Point_2>& points)
+  {
+    double largest = 0;
+    for(const Point_2& p : points)
+      largest = (std::max)(largest, largest_coordinate(p));
+    return largest > 0 ? std::ldexp(1., -(std::min)(1000, (std::max)(-1000, std::ilogb(largest)))) : 1;
+  }
+
+  Xy xy(const Point_2& p) const { return {m_scale * CGAL::to_double(p.x()), m_scale * CGAL::to_double(p.y())}; }
   Xy xy(const Triangle& t, int i) const { return xy(m_points[t[i]]); }
+
+  // Very far points are drawn nearer, which changes no nearest point by more than rounding.
+  Xy query(const Point_2& p) const
+  {
+    static constexpr double very_far = 1e150;
+    const Xy q = xy(p);
+    if((std::max)(std::abs(q[0]), std::abs(q[1])) < very_far)
+      return q;
+    const int exponent = std::ilogb(largest_coordinate(p));
+    return {std::ldexp(CGAL::to_double(p.x()), 400 - exponent), std::ldexp(CGAL::to_double(p.y()), 400 - exponent)};
+  }
 
   // makes the triangle counterclockwise
   void orient(std::size_t i)
@@ -228,6 +255,7 @@ private:
   std::vector<Point_2>  m_points;
   std::vector<Triangle> m_triangles;
   std::vector<Node>     m_nodes;
+  double                m_scale;
 };
 
 } // namespace internal
