@@ -136,15 +136,15 @@ private:
   Xy xy(const Point_2& p) const { return {m_scale * CGAL::to_double(p.x()), m_scale * CGAL::to_double(p.y())}; }
   Xy xy(const Triangle& t, int i) const { return xy(m_points[t[i]]); }
 
-  // Very far points are drawn nearer, which changes no nearest point by more than rounding.
+  // Far points are drawn nearer: from where they are, rounding hides what is nearest.
   Xy query(const Point_2& p) const
   {
-    static constexpr double very_far = 1e150;
+    static constexpr double far = 1 << 25;
     const Xy q = xy(p);
-    if((std::max)(std::abs(q[0]), std::abs(q[1])) < very_far)
+    if((std::max)(std::abs(q[0]), std::abs(q[1])) < far)
       return q;
     const int exponent = std::ilogb(largest_coordinate(p));
-    return {std::ldexp(CGAL::to_double(p.x()), 400 - exponent), std::ldexp(CGAL::to_double(p.y()), 400 - exponent)};
+    return {std::ldexp(CGAL::to_double(p.x()), 25 - exponent), std::ldexp(CGAL::to_double(p.y()), 25 - exponent)};
   }
 
   // makes the triangle counterclockwise
