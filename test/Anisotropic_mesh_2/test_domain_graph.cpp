@@ -52,6 +52,9 @@ void test_graphs()
   Graph not_finite = annulus;
   not_finite.points[3] = Point(0, -infinity);
   CHECK_THROWS(Domain{not_finite}, Bad, "the point 4 is not finite: (0, -inf)");
+  Graph large = annulus;
+  large.points[2] = Point(-1e308, 4);
+  CHECK_THROWS(Domain(large).validate(), Bad, "the segment 2 from (-1e+308, 4) to (4, 0) has a coordinate that is too large");
   Graph loop = annulus;
   loop.edges.push_back({8, 8, 1});
   CHECK_THROWS(Domain(loop).validate(), Bad, "the segment 10 from (3, 3) to (3, 3) has zero length");

@@ -17,7 +17,10 @@
 #include <CGAL/Anisotropic_mesh_2/internal/merge_coinciding_pieces.h>
 #include <CGAL/Anisotropic_mesh_2/internal/separate_chords.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -58,6 +61,7 @@ private:
   typedef Chord_graph_2<K>                     Graph;
   typedef typename Chord_sides_2<K>::Sides     Sides;
   static constexpr double flat_angle = 0.19634954084936207; // of pi/16
+  static constexpr double too_large = 1e150; // squares are to be finite
 
   [[noreturn]] static void refuse(const std::string& what) { throw Invalid_domain_exception(what); }
 
@@ -67,8 +71,15 @@ private:
                     [](const Piece& piece) { return is_meant_as_boundary(piece.role); }))
       refuse("the domain is empty: no curve bounds it");
     for(const Piece& piece : pieces)
-      if(piece.curve.is_closed() && (piece.curve.is_straight() || piece.curve.point(0.3) == piece.curve.source()))
+      if(!(largest_coordinate(piece.curve.source()) < too_large && largest_coordinate(piece.curve.target()) < too_large))
+        refuse(describe(piece) + " has a coordinate that is too large");
+      else if(piece.curve.is_closed() && (piece.curve.is_straight() || piece.curve.point(0.3) == piece.curve.source()))
         refuse(describe(piece) + " has zero length");
+  }
+
+  static double largest_coordinate(const Point_2& p)
+  {
+    return (std::max)(std::abs(CGAL::to_double(p.x())), std::abs(CGAL::to_double(p.y())));
   }
 
   static bool is_any(Piece_role) { return true; }
