@@ -10,7 +10,6 @@
 #include <CGAL/Anisotropic_mesh_face_base_2.h>
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
-#include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Boundary_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
 
@@ -76,8 +75,6 @@ public:
   /// if edges cross.
   void insert_boundary(const Boundary_mesh& boundary)
   {
-    m_rule = boundary.rule;
-    m_holes = boundary.holes;
     m_regions = boundary.regions;
     const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
     for(const auto& s : boundary.segments)
@@ -94,8 +91,6 @@ public:
   {
     Anisotropic_Delaunay_mesh_2 result(this->geom_traits());
     result.m_edge_marks = m_edge_marks;
-    result.m_rule = m_rule;
-    result.m_holes = m_holes;
     result.m_regions = m_regions;
     std::unordered_map<int, Vertex_handle> copies;
     Vertex_handle last; // not a face, which the next constraint may delete
@@ -123,8 +118,6 @@ public:
   {
     Triangulation_kernel::swap(other);
     std::swap(m_edge_marks, other.m_edge_marks);
-    std::swap(m_rule, other.m_rule);
-    std::swap(m_holes, other.m_holes);
     std::swap(m_regions, other.m_regions);
   }
 
@@ -178,10 +171,7 @@ public:
     }
     if(this->dimension() < 2)
       return;
-    std::vector<bool> inside = find_components();
-    if(m_rule == Anisotropic_mesh_2::Domain_rule::SEEDS)
-      for(const Point& hole : m_holes)
-        inside[component_at(hole)] = false;
+    const std::vector<bool> inside = find_components();
     std::vector<int> references(inside.size(), 0);
     for(const auto& region : m_regions)
       references[component_at(region.seed)] = region.reference;
@@ -325,8 +315,7 @@ private:
   }
 
   // Numbers the components that constrained edges separate, from the outermost
-  // on, in the subdomain indices of the faces; returns which belong to the
-  // domain as far as crossings tell.
+  // on, in the subdomain indices of the faces; returns which belong to the domain.
   std::vector<bool> find_components()
   {
     std::vector<bool> inside;
@@ -364,8 +353,6 @@ private:
 
   bool is_inside_beyond(const Edge& e, bool inside) const
   {
-    if(m_rule == Anisotropic_mesh_2::Domain_rule::SEEDS)
-      return true;
     const auto mark = m_edge_marks.find(key(e));
     return inside != (mark != m_edge_marks.end() && mark->second.is_boundary);
   }
@@ -373,8 +360,6 @@ private:
   int component_at(const Point& p) const { return this->locate(p)->subdomain_index(); }
 
   std::unordered_map<std::uint64_t, Edge_mark> m_edge_marks;
-  Anisotropic_mesh_2::Domain_rule              m_rule = Anisotropic_mesh_2::Domain_rule::EVEN_ODD;
-  std::vector<Point>                           m_holes;
   std::vector<typename Graph::Region>          m_regions;
 };
 

@@ -186,8 +186,9 @@ public:
   ///
   /// Takes \f$ O(n \log n) \f$ time for \f$ n \f$ pieces whose bounding boxes hardly overlap.
   /// \throw Invalid_domain_exception naming what is wrong and where: no curve
-  /// or no area, a piece without length, an open boundary, curves that cross or
-  /// overlap, a boundary that touches itself, or an inner curve outside.
+  /// or no area, a piece without length or with a coordinate beyond 10<sup>150</sup>,
+  /// an open boundary, curves that cross or overlap, a boundary that touches itself,
+  /// the seed of a hole on a curve, or an inner curve outside.
   void validate() const
   {
     Anisotropic_mesh_2::internal::Domain_preparation<K>(m_pieces, m_rule, m_holes);

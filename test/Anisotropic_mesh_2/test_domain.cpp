@@ -209,6 +209,17 @@ void test_seeds()
   CHECK_THROWS(domain.add_hole(Point(nan_value, 0)), Bad, "the seed (nan, 0) of a hole is not finite");
   CHECK_THROWS(domain.add_region(Point(0, infinity), 1), Bad, "the seed (0, inf) of a region is not finite");
 
+  for(const Point& seed : {Point(2, 0), Point(1, 1), Point(1, 1.5)}) {
+    Domain on_curve = polygon(square(4));
+    on_curve.add_polygon(square(1, 1, 1));
+    on_curve.add_hole(seed);
+    CHECK_THROWS(on_curve.validate(), Bad, "of a hole lies on a curve of the domain");
+  }
+  Domain across = polygon(square(4));
+  across.add_polyline(Points{Point(0, 0), Point(1, 0.3), Point(4, 4)});
+  across.add_hole(Point(0.5, std::nextafter(0.15, 1)));
+  CHECK(is_valid(across));
+
   Domain open;
   open.set_rule(Rule::SEEDS);
   open.add_loop(std::vector<Piece>{Piece::segment(Point(0, 0), Point(1, 0)), Piece::segment(Point(1, 0), Point(1, 1))});

@@ -7,7 +7,6 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_BOUNDARY_MESH_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_BOUNDARY_MESH_2_H
 
-#include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 
 #include <cstddef>
@@ -30,13 +29,11 @@ struct Boundary_mesh_2
     std::size_t source;
     std::size_t target;
     int         reference;
-    bool        is_boundary; // crossing it toggles inside and outside under EVEN_ODD
+    bool        is_boundary; // crossing it toggles inside and outside
   };
 
   std::vector<Point_2> points;
   std::vector<Segment> segments;
-  Domain_rule          rule = Domain_rule::EVEN_ODD;
-  std::vector<Point_2> holes;
   std::vector<Region>  regions;
 };
 

@@ -146,8 +146,8 @@ private:
 };
 
 // The straight graph that bounds the unit mesh of a domain. Boundary segments
-// have the domain on their left side; `is_boundary` is right for both domain
-// rules: exactly one side of such a segment is inside.
+// have the domain on their left side: whatever the rule of the domain was,
+// exactly one side of such a segment is inside.
 //
 // \param keep_points takes segments as they are; curves are still subdivided
 // Throws Invalid_domain_exception, Invalid_metric_tensor_exception naming the
@@ -165,8 +165,6 @@ Boundary_mesh_2<K> unit_boundary_mesh(const Anisotropic_mesh_domain_2<K>& domain
   for(const auto& chord : graph.chords())
     mesh.segments.push_back({chord.source, chord.target, pieces[chord.piece].curve.reference(),
                              pieces[chord.piece].role == Piece_role::BOUNDARY});
-  mesh.rule = domain.rule();
-  mesh.holes = domain.holes();
   mesh.regions = domain.regions();
   return mesh;
 }

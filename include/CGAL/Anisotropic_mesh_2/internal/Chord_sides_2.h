@@ -7,8 +7,10 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHORD_SIDES_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHORD_SIDES_2_H
 
+#include <CGAL/Invalid_domain_exception.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Chord_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/exact_predicates.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -116,11 +118,22 @@ private:
     }
   }
 
+  // A hole on a chord has no side; all vertices are ends of chords.
+  Face_handle face_at(const typename K::Point_2& hole) const
+  {
+    typename Triangulation::Locate_type place;
+    int i;
+    const Face_handle f = m_triangulation.locate(exact_point<K>(hole), place, i);
+    if(place == Triangulation::VERTEX || (place == Triangulation::EDGE && f->is_constrained(i)))
+      throw Invalid_domain_exception("the seed " + describe(hole) + " of a hole lies on a curve of the domain");
+    return f;
+  }
+
   void flood_from_outside(const std::vector<typename K::Point_2>& holes)
   {
     std::vector<Face_handle> stack(1, m_triangulation.infinite_face());
     for(const auto& seed : holes)
-      stack.push_back(m_triangulation.locate(exact_point<K>(seed)));
+      stack.push_back(face_at(seed));
     for(const Face_handle f : stack)
       f->info() = Mark{true, false};
     while(!stack.empty()) {
