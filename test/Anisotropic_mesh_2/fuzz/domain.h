@@ -12,6 +12,7 @@
 #include "reader.h"
 
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
+#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Bbox_2.h>
@@ -21,6 +22,7 @@
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -46,8 +48,40 @@ inline std::optional<Domain> valid_domain(const Graph& graph, Domain_rule rule)
   }
 }
 
-// A mesh of some large triangles, if the domain is small enough for a fast one
-// and its size one that a mesher has to do with. It gives the regions their faces.
+// the area to the left of boundary segments
+inline double area(const Domain& domain)
+{
+  const CGAL::Anisotropic_mesh_2::internal::Domain_preparation<Kernel>
+    prepared(domain.pieces(), domain.rule(), domain.holes());
+  double doubled = 0;
+  for(const auto& piece : prepared.pieces())
+    if(piece.role == CGAL::Anisotropic_mesh_2::internal::Piece_role::BOUNDARY) {
+      const auto &p = piece.curve.source(), &q = piece.curve.target();
+      doubled += p.x()*q.y() - p.y()*q.x();
+    }
+  return doubled / 2;
+}
+
+inline double area(const Graph& mesh)
+{
+  double sum = 0;
+  for(const auto& t : mesh.triangles)
+    sum += CGAL::area(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+  return sum;
+}
+
+// the mesh of some large triangles, written and read again
+inline Graph coarse_mesh(const Domain& domain, double size)
+{
+  namespace parameters = CGAL::Anisotropic_mesh_2::parameters;
+  const CGAL::Constant_metric_field_2<Kernel> field(CGAL::Metric_tensor_2<Kernel>::from_size(size));
+  const std::string file = Input_files::directory() / "coarse.mesh";
+  CGAL::IO::write_medit(file, CGAL::make_anisotropic_mesh_2(domain, field, parameters::keep_boundary_points(true)));
+  return CGAL::IO::read_medit<Kernel>(file);
+}
+
+// Meshes the domain if it is small enough to be fast, and its size one that a
+// mesher has to do with: the mesh covers the domain, and is a domain itself.
 inline void mesh_coarsely(const Domain& domain)
 {
   CGAL::Bbox_2 box;
@@ -57,10 +91,9 @@ inline void mesh_coarsely(const Domain& domain)
   const double farthest = (std::max)({-box.xmin(), box.xmax(), -box.ymin(), box.ymax()});
   if(domain.number_of_pieces() > 40 || !(size > 1e-9 && farthest < 1e9))
     return;
-  const CGAL::Constant_metric_field_2<Kernel> field(CGAL::Metric_tensor_2<Kernel>::from_size(size));
-  const auto mesh = CGAL::make_anisotropic_mesh_2(domain, field,
-                                                  CGAL::Anisotropic_mesh_2::parameters::keep_boundary_points(true));
-  require(mesh.number_of_faces_in_domain() > 0, "a mesh of a valid domain");
+  const Graph mesh = coarse_mesh(domain, size);
+  require(std::abs(area(mesh) - area(domain)) <= 1e-9 * farthest*farthest, "a mesh of the area of the domain");
+  require(valid_domain(mesh, Domain_rule::EVEN_ODD).has_value(), "a mesh that is a domain");
 }
 
 // all that happens to a file that was read
