@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -75,11 +76,24 @@ private:
       const Chord& c = m_graph.chords()[i];
       boxes.push_back(box<2>({m_points[c.source], m_points[c.target]}, i));
     }
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [this](const Box& a, const Box& b) {
-      if(meet_wrongly(m_graph.chords()[a.info()], m_graph.chords()[b.info()]))
-        m_meeting.push_back(std::minmax(a.info(), b.info()));
+    std::optional<Pair> crossing; // the first of segments: nothing separates them, so that no other pair counts
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [this, &crossing](const Box& a, const Box& b) {
+      const Pair pair = std::minmax(a.info(), b.info());
+      if((crossing && *crossing < pair) || !meet_wrongly(m_graph.chords()[pair.first], m_graph.chords()[pair.second]))
+        return;
+      if(is_segment(pair.first) && is_segment(pair.second))
+        crossing = pair;
+      else
+        m_meeting.push_back(pair);
     });
+    if(crossing)
+      m_meeting.assign(1, *crossing);
     std::sort(m_meeting.begin(), m_meeting.end());
+  }
+
+  bool is_segment(std::size_t chord) const
+  {
+    return m_pieces[m_graph.chords()[chord].piece].curve.is_straight();
   }
 
   bool meet_wrongly(const Chord& a, const Chord& b) const
