@@ -153,53 +153,46 @@ private:
     return component;
   }
 
-  // walks around the component with the unbounded face at the left hand
+  // Walks around the component with the unbounded face at the left hand, from
+  // the uppermost edge of the leftmost vertex on.
   void keep_outer_cycle(const std::vector<std::size_t>& component)
   {
+    for(std::size_t v : component)
+      sort_clockwise(v);
+    const std::size_t leftmost = *std::min_element(component.begin(), component.end(),
+      [this](std::size_t a, std::size_t b) { return m_graph.points[a] < m_graph.points[b]; });
     std::set<std::size_t> outer;
-    const Half_edge first = start_of_outer_cycle(component);
+    const Half_edge first(leftmost, m_incident[leftmost].front());
     Half_edge h = first;
-    for(std::size_t k = 0; k <= 2*m_graph.edges.size(); ++k) {
+    do {
       outer.insert(h.second);
       h = next_half_edge(h);
-      if(h == first)
-        break;
-    }
+    } while(h != first);
     for(std::size_t v : component)
       for(std::size_t edge : m_incident[v])
         if(outer.count(edge) == 0)
           m_roles[edge] = Piece_role::DIVIDER;
   }
 
-  Half_edge start_of_outer_cycle(const std::vector<std::size_t>& component) const
+  // the edges around the vertex, from the upward direction on
+  void sort_clockwise(std::size_t v)
   {
-    const std::size_t v = *std::min_element(component.begin(), component.end(),
-      [this](std::size_t a, std::size_t b) { return m_graph.points[a] < m_graph.points[b]; });
-    std::size_t best = m_incident[v].front();
-    for(std::size_t edge : m_incident[v])
-      if(side(v, opposite(best, v), opposite(edge, v)) == LEFT_TURN)
-        best = edge;
-    return Half_edge(v, best);
+    const auto& points = m_graph.points;
+    std::sort(m_incident[v].begin(), m_incident[v].end(), [&](std::size_t e, std::size_t f) {
+      const std::size_t a = opposite(e, v), b = opposite(f, v);
+      const bool a_is_right = points[v] < points[a], b_is_right = points[v] < points[b];
+      return a_is_right != b_is_right ? a_is_right : side(v, a, b) == RIGHT_TURN;
+    });
   }
 
   // the first edge clockwise from the one that leads here
   Half_edge next_half_edge(const Half_edge& h) const
   {
-    const std::size_t v = opposite(h.second, h.first), u = h.first;
-    std::size_t best = none;
-    for(std::size_t edge : m_incident[v])
-      if(edge != h.second && (best == none || is_clockwise_before(v, u, opposite(edge, v), opposite(best, v))))
-        best = edge;
-    return Half_edge(v, best == none ? h.second : best);
+    const std::size_t v = opposite(h.second, h.first);
+    const auto& edges = m_incident[v];
+    const auto next = std::find(edges.begin(), edges.end(), h.second) + 1;
+    return Half_edge(v, next == edges.end() ? edges.front() : *next);
   }
-
-  bool is_clockwise_before(std::size_t v, std::size_t u, std::size_t a, std::size_t b) const
-  {
-    const int half_a = half_turn(side(v, u, a)), half_b = half_turn(side(v, u, b));
-    return half_a != half_b ? half_a < half_b : side(v, a, b) == RIGHT_TURN;
-  }
-
-  static int half_turn(Orientation o) { return o == RIGHT_TURN ? 0 : o == COLLINEAR ? 1 : 2; }
 
   Orientation side(std::size_t v, std::size_t a, std::size_t b) const
   {
