@@ -43,7 +43,7 @@ typedef CGAL::Metric_tensor_2<K>                              Tensor;
 typedef Metric_field_archetype<K>                             Field;
 typedef CGAL::Riemannian_metric_traits_2<K, Field>            Traits;
 
-// ---------------------------------------------------------------- the concepts MetricField_2 and RiemannianMetricTraits_2
+// ---------------------------------------------------------------- fields and traits
 
 template <class K2>
 constexpr bool fields_and_traits_are_models()
