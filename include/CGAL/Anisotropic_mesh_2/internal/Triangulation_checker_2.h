@@ -12,6 +12,7 @@
 #include <CGAL/enum.h>
 
 #include <iostream>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -23,6 +24,7 @@ template <class Triangulation>
 class Triangulation_checker_2
 {
   typedef typename Triangulation::Geom_traits::Kernel  Kernel;
+  typedef Exact_predicates_kernel_of<Kernel>           Exact_kernel;
   typedef typename Triangulation::Edge                 Edge;
   typedef typename Triangulation::Point                Point;
   typedef typename Triangulation::Vertex_handle        Vertex_handle;
@@ -127,11 +129,15 @@ private:
     return true;
   }
 
-  // free of rounding errors also where that of the triangulation is not
-  static Orientation orientation(const Point& p, const Point& q, const Point& r)
+  // free of rounding errors also where that of the triangulation is not, if coordinates are doubles
+  Orientation orientation(const Point& p, const Point& q, const Point& r) const
   {
-    return typename Exact_predicates_kernel_of<Kernel>::Orientation_2()(
-             exact_point<Kernel>(p), exact_point<Kernel>(q), exact_point<Kernel>(r));
+    if constexpr(!Triangulation::Geom_traits::has_exact_predicates
+                 && std::is_floating_point<typename Triangulation::Geom_traits::FT>::value)
+      return Exact_kernel().orientation_2_object()(exact_point<Kernel>(p), exact_point<Kernel>(q),
+                                                   exact_point<Kernel>(r));
+    else
+      return m_t.orientation(p, q, r);
   }
 
   const Triangulation& m_t;

@@ -28,7 +28,9 @@ namespace internal {
 //
 // Flips by quality come to an end, flips by the criterion might follow each
 // other in a circle, above all where both rules meet. Therefore, after a number
-// of flips, quality decides everywhere.
+// of flips, quality decides everywhere. But as long as all tensors are multiples
+// of one, the criterion decides alone: it does not depend on the sizes then, and
+// its flips come to an end.
 template <class Mesh>
 class Flip_rule
 {
@@ -50,7 +52,8 @@ public:
     const Edge m = m_mesh.mirror_edge(e);
     const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
     const Vertex_handle a = e.first->vertex(Mesh::ccw(e.second)), b = e.first->vertex(Mesh::cw(e.second));
-    const bool by_quality = is_exhausted() || is_rough(p, q, a, b);
+    m_is_uniform = m_is_uniform && are_multiples_of_one(p, q, a, b);
+    const bool by_quality = !m_is_uniform && (is_exhausted() || is_rough(p, q, a, b));
     const bool is_wanted = by_quality ? raises_quality(p, q, a, b)
                                       : !m_mesh.is_locally_Delaunay(e.first, e.second);
     m_flips += is_wanted;
@@ -64,6 +67,15 @@ private:
   bool is_exhausted() const
   {
     return m_flips > m_maximum_of_flips || m_rough_flips > m_maximum_of_rough_flips;
+  }
+
+  bool are_multiples_of_one(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b) const
+  {
+    const auto& first = m_mesh.finite_vertices_begin()->metric_tensor();
+    for(Vertex_handle v : {p, q, a, b})
+      if(!is_multiple_of(v->metric_tensor(), first))
+        return false;
+    return true;
   }
 
   static bool is_rough(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b)
@@ -94,6 +106,7 @@ private:
   const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
   const std::size_t m_maximum_of_flips, m_maximum_of_rough_flips;
   std::size_t m_flips = 0, m_rough_flips = 0;
+  bool m_is_uniform = true;
 };
 
 // Flips edges of the domain until no flip is wanted any more.
