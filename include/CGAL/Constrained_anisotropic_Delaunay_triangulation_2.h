@@ -179,7 +179,7 @@ public:
   Vertex_handle move_if_no_collision(Vertex_handle v, const Point& p)
   {
     CGAL_precondition(v != Vertex_handle() && !is_infinite(v));
-    if(v->point() == p)
+    if(this->xy_equal(v->point(), p))
       return v;
     const Metric_tensor_2 m = geom_traits().construct_metric_tensor_2_object()(p);
     if(is_star_around(v, p)) {

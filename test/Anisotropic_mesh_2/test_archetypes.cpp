@@ -27,6 +27,7 @@
 #include <CGAL/Directional_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/anisotropic_Delaunay_consistency_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/anisotropic_voronoi_cells_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
@@ -131,6 +132,24 @@ void test_flips(T& t)
 }
 
 template <class T>
+void test_removal_and_moves(T& t)
+{
+  const auto v = t.insert(point_archetype(2.25, 1.125));
+  CHECK(t.move_if_no_collision(v, point_archetype(2.26, 1.13)) == v);
+  CHECK(t.move(v, point_archetype(0.375, 3.5)) == v && t.is_valid(true, 2));
+  CHECK(t.remove(v) && t.is_valid(true, 2));
+  const auto a = t.insert(point_archetype(3.875, 0.125)), b = t.insert(point_archetype(3.875, 2));
+  typename T::Face_handle f;
+  int i;
+  CHECK(t.is_edge(a, b, f, i));
+  t.remove_constrained_edge(f, i);
+  t.remove_incident_constraints(t.insert(point_archetype(4, 4)));
+  CHECK(t.is_valid(true, 2));
+  const auto consistency = CGAL::anisotropic_Delaunay_consistency_2(t);
+  CHECK(consistency.stars == t.number_of_vertices() && consistency.edges > 100);
+}
+
+template <class T>
 void test_triangulation()
 {
   T t(T::Geom_traits::make());
@@ -148,6 +167,7 @@ void test_triangulation()
   CHECK(t.number_of_vertices() == 0 && copy.number_of_vertices() > 50);
   test_vertices(copy);
   test_cavity(copy, point_archetype(2.51, 1.73));
+  test_removal_and_moves(copy);
 }
 
 // ---------------------------------------------------------------- meshes
