@@ -457,9 +457,10 @@ public:
   }
   /// @}
 
-  /// checks the triangulation; with `verbose` the first defect is written to `std::cerr`.
+  /// checks the triangulation.
   ///
-  /// \param level
+  /// \param verbose whether the first defect is written to `std::cerr`.
+  /// \param level what is checked:
   /// - 0: the data structure, the marks of the constraints, and the geometry:
   ///   every finite face is strictly counterclockwise and the hull is convex.
   ///   Coordinates that are floating point numbers are compared exactly.
