@@ -411,7 +411,9 @@ public:
   /// one, as with a constant or an isotropic metric. With different tensors flips
   /// might follow each other in a circle; therefore, after a number of flips
   /// proportional to that of the edges, each must also raise the smallest angle
-  /// of the two faces, measured in the mean of the tensors of the vertices of each.
+  /// of the two faces, measured in the mean of the tensors of the vertices of each;
+  /// and since rounding errors may make even angles rise in a circle, there is a
+  /// last one after many more.
   /// \return the number of flips.
   size_type restore_local_criterion(std::vector<Edge> edges)
   {
@@ -425,7 +427,7 @@ public:
       if(is_locally_Delaunay(e.first, e.second))
         return false;
       is_uniform = is_uniform && has_multiples_of(first, e);
-      return ++flips <= free_flips || is_uniform || flip_raises_smallest_angle(e);
+      return ++flips <= free_flips || is_uniform || (flips <= 16 * free_flips && flip_raises_smallest_angle(e));
     });
   }
 

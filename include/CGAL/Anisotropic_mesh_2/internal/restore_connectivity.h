@@ -12,6 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL {
@@ -28,9 +29,10 @@ namespace internal {
 //
 // Flips by quality come to an end, flips by the criterion might follow each
 // other in a circle, above all where both rules meet. Therefore, after a number
-// of flips, quality decides everywhere. But as long as all tensors are multiples
-// of one, the criterion decides alone: it does not depend on the sizes then, and
-// its flips come to an end.
+// of flips, quality decides everywhere; and since rounding errors may make even
+// qualities rise in a circle, after many more no flip is wanted. But as long as
+// all tensors are multiples of one, the criterion decides alone: it does not
+// depend on the sizes then, and its flips come to an end.
 template <class Mesh>
 class Flip_rule
 {
@@ -53,6 +55,8 @@ public:
     const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
     const Vertex_handle a = e.first->vertex(Mesh::ccw(e.second)), b = e.first->vertex(Mesh::cw(e.second));
     m_is_uniform = m_is_uniform && are_multiples_of_one(p, q, a, b);
+    if(!m_is_uniform && m_flips > 8 * m_maximum_of_flips)
+      return false;
     const bool by_quality = !m_is_uniform && (is_exhausted() || is_rough(p, q, a, b));
     const bool is_wanted = by_quality ? raises_quality(p, q, a, b)
                                       : !m_mesh.is_locally_Delaunay(e.first, e.second);
@@ -87,12 +91,12 @@ private:
     return false;
   }
 
-  // Strictly and by more than rounding errors, so that such flips come to an end.
+  // Strictly and by more than usual rounding errors, so that such flips come to an end.
   bool raises_quality(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b) const
   {
     const double before = std::min(quality(p, a, b), quality(q, b, a));
     const double after = std::min(quality(p, a, q), quality(q, b, p));
-    return after > before * (1 + 1e-9);
+    return after > before + 1e-9 * std::abs(before);
   }
 
   double quality(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
