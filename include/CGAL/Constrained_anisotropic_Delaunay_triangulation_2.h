@@ -172,6 +172,7 @@ public:
   /// the tensor of `p`. It may move anywhere if it ends no constrained edge. An
   /// end of constrained edges takes them along.
   /// \return `v`, or the vertex that stands at `p`, in which case nothing changes.
+  /// If the traits do not decide exactly, `v` may also stay where it is, as with `remove()`.
   /// \pre `v` is a finite vertex of the triangulation. If it ends a constrained
   /// edge, its faces are finite and are still counterclockwise with `v` at `p`.
   /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at
@@ -197,11 +198,13 @@ public:
     const int index_bound = m_vertex_index_bound;
     const Vertex_handle w = insert(p, m, lt, f, li);
     exchange(v, w);
-    if(!remove(w)) { // where rounding errors leave no hole to fill, v stays
+    if(remove(w))
+      m_vertex_index_bound = index_bound;
+    else { // rounding errors leave no way to fill the hole: v stays
       exchange(v, w);
-      remove(w);
+      if(remove(w))
+        m_vertex_index_bound = index_bound;
     }
-    m_vertex_index_bound = index_bound;
     return v;
   }
 
