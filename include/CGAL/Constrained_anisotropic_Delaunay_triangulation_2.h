@@ -472,8 +472,10 @@ public:
   /// - 1: also the vertices: each has the tensor of the field at its point and
   ///   an index of its own below `vertex_index_bound()`.
   /// - 2: also the criterion, if the tensors of all vertices are multiples of one:
-  ///   every edge is locally Delaunay, or constrained. How far any other
-  ///   triangulation is Delaunay tells `anisotropic_Delaunay_consistency_2()`.
+  ///   every edge is locally Delaunay, or constrained. This holds in constant and
+  ///   isotropic metrics; where vertices of other tensors were there and have been
+  ///   removed, it need not. How far any other triangulation is Delaunay tells
+  ///   `anisotropic_Delaunay_consistency_2()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
     typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Constrained_anisotropic_Delaunay_triangulation_2> Checker;
