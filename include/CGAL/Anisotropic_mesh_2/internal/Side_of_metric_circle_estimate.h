@@ -214,8 +214,8 @@ carefully_estimate_side_of_metric_circle(const Point_2& a, const Point_2& b, con
 // Mostly the four determinants agree in sign by more than a bound of their
 // rounding errors that is made of the largest coordinates alone: twenty
 // roundings, six terms, and 2 |m12| rx ry <= m11 rx^2 + m22 ry^2. Taken off the
-// coefficients beforehand, this bound costs nothing for each tensor. Beyond the
-// limits, underflow or overflow could spoil it.
+// coefficients beforehand, this bound costs nothing for each tensor. Below the
+// limits, underflow could spoil it; overflow leaves no finite sum.
 template <class Point_2, class Metric_tensor>
 Uncertain<Oriented_side>
 estimate_side_of_metric_circle(const Point_2& a, const Point_2& b, const Point_2& c, const Point_2& p,
@@ -224,7 +224,7 @@ estimate_side_of_metric_circle(const Point_2& a, const Point_2& b, const Point_2
 {
   Lifted_determinant d(a, b, c, p);
   const double rx = d.reach_x(), ry = d.reach_y(), error = 256*rounding_unit * (rx*ry);
-  if(std::min(rx, ry) > 1e-70 && std::max(rx, ry) < 1e70) {
+  if(std::min(rx, ry) > 1e-70) {
     const double sign = std::copysign(1., d(mp));
     d.x = sign * d.x - error * (rx*rx);
     d.s = sign * d.s;
