@@ -407,6 +407,16 @@ public:
     return !(is_in_conflict(f, e.first->vertex(e.second)) && is_in_conflict(e.first, f->vertex(i)));
   }
 
+  /// whether the tensors of the four vertices around the edge are multiples of `m`.
+  bool has_multiples_of(const Metric_tensor_2& m, const Edge& e) const
+  {
+    const Edge n = mirror_edge(e);
+    for(Vertex_handle v : {e.first->vertex(0), e.first->vertex(1), e.first->vertex(2), n.first->vertex(n.second)})
+      if(!is_multiple_of(v->metric_tensor(), m))
+        return false;
+    return true;
+  }
+
   /// flips the given edges, and then those around the flipped ones, until all
   /// are locally Delaunay.
   ///
@@ -586,16 +596,6 @@ private:
   static const Metric_tensor_2& a_tensor_of(const Edge& e)
   {
     return e.first->vertex(ccw(e.second))->metric_tensor();
-  }
-
-  // whether the tensors of the four vertices around the edge are multiples of m
-  bool has_multiples_of(const Metric_tensor_2& m, const Edge& e) const
-  {
-    const Edge n = mirror_edge(e);
-    for(Vertex_handle v : {e.first->vertex(0), e.first->vertex(1), e.first->vertex(2), n.first->vertex(n.second)})
-      if(!is_multiple_of(v->metric_tensor(), m))
-        return false;
-    return true;
   }
 
   // whether the faces of v would be counterclockwise if v stood at p

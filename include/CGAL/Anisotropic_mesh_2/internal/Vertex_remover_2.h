@@ -7,7 +7,6 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REMOVER_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REMOVER_2_H
 
-#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>

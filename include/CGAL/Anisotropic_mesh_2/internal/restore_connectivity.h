@@ -54,7 +54,7 @@ public:
     const Edge m = m_mesh.mirror_edge(e);
     const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
     const Vertex_handle a = e.first->vertex(Mesh::ccw(e.second)), b = e.first->vertex(Mesh::cw(e.second));
-    m_is_uniform = m_is_uniform && are_multiples_of_one(p, q, a, b);
+    m_is_uniform = m_is_uniform && m_mesh.has_multiples_of(m_mesh.finite_vertices_begin()->metric_tensor(), e);
     if(!m_is_uniform && m_flips > 8 * m_maximum_of_flips)
       return false;
     const bool by_quality = !m_is_uniform && (is_exhausted() || is_rough(p, q, a, b));
@@ -71,15 +71,6 @@ private:
   bool is_exhausted() const
   {
     return m_flips > m_maximum_of_flips || m_rough_flips > m_maximum_of_rough_flips;
-  }
-
-  bool are_multiples_of_one(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b) const
-  {
-    const auto& first = m_mesh.finite_vertices_begin()->metric_tensor();
-    for(Vertex_handle v : {p, q, a, b})
-      if(!is_multiple_of(v->metric_tensor(), first))
-        return false;
-    return true;
   }
 
   static bool is_rough(Vertex_handle p, Vertex_handle q, Vertex_handle a, Vertex_handle b)
