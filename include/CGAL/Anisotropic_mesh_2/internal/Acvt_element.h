@@ -9,24 +9,17 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
 
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
-
-struct Vector_of_doubles
-{
-  double x = 0, y = 0;
-};
-
-typedef std::vector<Vector_of_doubles> Vectors;
 
 // A tensor with its determinant, and weighted by the density of the measure.
 struct Weighted_tensor

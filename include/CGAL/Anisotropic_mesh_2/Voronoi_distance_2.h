@@ -1,0 +1,80 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_DISTANCE_2_H
+#define CGAL_ANISOTROPIC_MESH_2_VORONOI_DISTANCE_2_H
+
+#include <CGAL/Metric_tensor_2.h>
+
+#include <CGAL/assertions.h>
+
+#include <utility>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the directional distance of definition 2.1 of \cgalCite{dw-acvt-05}: the
+/// distance from a point to a generator is measured by the tensor of the field
+/// at the point. Bisectors pass through the midpoints of generators.
+///
+/// \cgalModels{VoronoiDistance_2}
+struct Directional_distance_2
+{
+  static constexpr bool is_measured_at_generators = false;
+};
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the distance of Labelle and Shewchuk, for comparison: measured by the tensor
+/// at the generator (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are
+/// conics that do not pass through the midpoints of generators.
+///
+/// \cgalModels{VoronoiDistance_2}
+struct Labelle_Shewchuk_distance_2
+{
+  static constexpr bool is_measured_at_generators = true;
+
+  /// the tensor by which distances to `v` are measured.
+  template <class Vertex_handle>
+  auto operator()(Vertex_handle v) const { return v->metric_tensor(); }
+};
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the Euclidean distance times a weight of the generator, for comparison
+/// (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are circles and lines.
+///
+/// \tparam Weight a functor from vertex handles to positive numbers
+///
+/// \cgalModels{VoronoiDistance_2}
+template <class Weight>
+class Multiplicative_weight_distance_2
+{
+public:
+  static constexpr bool is_measured_at_generators = true;
+
+  explicit Multiplicative_weight_distance_2(Weight weight) : m_weight(std::move(weight)) {}
+
+  /// the tensor by which distances to `v` are measured: the squared weight times the identity.
+  template <class Vertex_handle>
+  auto operator()(Vertex_handle v) const
+  {
+    typedef std::decay_t<decltype(v->metric_tensor())> Tensor;
+    const typename Tensor::FT weight(m_weight(v));
+    CGAL_precondition(weight > 0);
+    return Tensor::from_entries(weight*weight, typename Tensor::FT(0), weight*weight);
+  }
+
+private:
+  Weight m_weight;
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_DISTANCE_2_H

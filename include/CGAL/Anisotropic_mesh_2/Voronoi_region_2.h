@@ -1,0 +1,81 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H
+#define CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// a connected part of the region of a generator.
+///
+/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
+template <class K>
+struct Voronoi_piece_2
+{
+  typedef std::vector<typename K::Point_2> Polygon;
+
+  bool                  is_main = false; ///< whether it contains the generator; else it is an orphan
+  double                area = 0;        ///< the Euclidean area
+  std::vector<Polygon>  boundaries;      ///< the outer ones counterclockwise, those of holes clockwise
+};
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the region of a generator, within the domain (definition 2.2 of \cgalCite{dw-acvt-05}).
+///
+/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
+/// \tparam Vertex_handle a handle to vertices of the mesh
+template <class K, class Vertex_handle_>
+struct Voronoi_region_2
+{
+  typedef typename K::Point_2       Point_2;
+  typedef Vertex_handle_            Vertex_handle;
+  typedef std::array<Point_2, 3>    Tile;
+
+  Vertex_handle                     vertex;            ///< the generator in the mesh
+  Point_2                           generator;
+  bool                              is_fixed = false;  ///< whether the generator ends a constrained edge
+  double                            area = 0;          ///< the Euclidean area of all pieces
+  std::vector<Voronoi_piece_2<K> >  pieces;            ///< the main ones first
+  /// triangles that make up the region, counterclockwise; next to bisectors
+  /// that turn sharply few of them may be clockwise, and count as negative.
+  std::vector<Tile>                 tiles;
+
+  /// the number of pieces that do not contain the generator.
+  std::size_t number_of_orphans() const
+  {
+    std::size_t n = 0;
+    for(const Voronoi_piece_2<K>& p : pieces)
+      n += !p.is_main;
+    return n;
+  }
+};
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// a curve along which the regions of two generators meet, as a polygonal line.
+///
+/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
+template <class K>
+struct Voronoi_bisector_2
+{
+  std::array<std::size_t, 2>            regions;  ///< the one on the left and the one on the right
+  bool                                  is_between_main_pieces;
+  bool                                  is_closed;
+  std::vector<typename K::Point_2>      points;
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H

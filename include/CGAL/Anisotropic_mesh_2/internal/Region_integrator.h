@@ -1,0 +1,166 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_REGION_INTEGRATOR_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_REGION_INTEGRATOR_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// The integrals over the region V of a generator z, w being the density of the
+// measure: those of w, of w M and w M (x - z), and of w |x - z|^2 in M.
+struct Region_sum
+{
+  double         mass = 0;
+  Region_moments moments;
+  double         energy = 0;
+
+  Region_sum& operator+=(const Region_sum& s)
+  {
+    mass += s.mass;
+    moments.a += s.moments.a;
+    moments.gx += s.moments.gx;
+    moments.gy += s.moments.gy;
+    energy += s.energy;
+    return *this;
+  }
+};
+
+// Integrates over a region that is made up of triangles, by a rule of degree 5
+// whose error is bounded by the difference to a rule of degree 2; the triangle
+// of the largest error is quartered until the sum of the errors of the mass
+// centre is small.
+//
+// `Density` returns at a point the tensor of the distance and the density of the measure.
+template <class Density>
+class Region_integrator
+{
+public:
+  typedef std::array<Vector_of_doubles, 3> Triangle;
+
+  // `tolerance` of the mass centre, relative to the root of the mean squared distance
+  Region_integrator(const Density& density, double tolerance) : m_density(density), m_tolerance(tolerance) {}
+
+  // Sets `error` to a bound of the error of the mass centre, as a length in the mean tensor.
+  Region_sum operator()(const std::vector<Triangle>& triangles, const Vector_of_doubles& generator, double& error) const
+  {
+    std::vector<Part> heap;
+    for(const Triangle& t : triangles)
+      heap.push_back(integrate(t, generator));
+    const Region_sum scale = total(heap);
+    error = 0;
+    for(Part& p : heap)
+      error += (p.error = length(p, scale));
+    std::make_heap(heap.begin(), heap.end());
+    const std::size_t limit = maximum_growth * triangles.size();
+    const double goal = m_tolerance * std::sqrt(std::max(0., scale.energy / scale.mass));
+    while(error > goal && heap.size() < limit)
+      quarter_worst(heap, generator, scale, error);
+    return total(heap);
+  }
+
+private:
+  static constexpr std::size_t maximum_growth = 100;
+
+  struct Part
+  {
+    Triangle          triangle;
+    Region_sum        sum;
+    Vector_of_doubles difference; // of the integrals of w M (x - z) by the two rules
+    double            error = 0;
+
+    bool operator<(const Part& p) const { return error < p.error; }
+  };
+
+  static Region_sum total(const std::vector<Part>& parts)
+  {
+    Region_sum sum;
+    for(const Part& p : parts)
+      sum += p.sum;
+    return sum;
+  }
+
+  // how far the difference moves the mass centre
+  static double length(const Part& p, const Region_sum& scale)
+  {
+    double x, y;
+    scale.moments.solve(p.difference.x, p.difference.y, x, y);
+    return std::sqrt(std::max(0., (x * p.difference.x + y * p.difference.y) / scale.mass));
+  }
+
+  void quarter_worst(std::vector<Part>& heap, const Vector_of_doubles& generator, const Region_sum& scale,
+                     double& error) const
+  {
+    std::pop_heap(heap.begin(), heap.end());
+    const Triangle t = heap.back().triangle;
+    error -= heap.back().error;
+    heap.pop_back();
+    Triangle middle;
+    for(int i = 0; i < 3; ++i)
+      middle[i] = {(t[(i + 1) % 3].x + t[(i + 2) % 3].x) / 2, (t[(i + 1) % 3].y + t[(i + 2) % 3].y) / 2};
+    for(int i = 0; i < 4; ++i) {
+      Part p = integrate(i == 3 ? middle : Triangle{t[i], middle[(i + 2) % 3], middle[(i + 1) % 3]}, generator);
+      error += (p.error = length(p, scale));
+      heap.push_back(p);
+      std::push_heap(heap.begin(), heap.end());
+    }
+  }
+
+  // Radon's rule of degree 5, and from its centre and its second orbit a rule of degree 2
+  Part integrate(const Triangle& t, const Vector_of_doubles& generator) const
+  {
+    const double root = std::sqrt(15.), a1 = (6 - root) / 21, a2 = (6 + root) / 21;
+    const double w1 = (155 - root) / 1200, w2 = (155 + root) / 1200;
+    const double v2 = 1 / (18 * (2*a2*a2 + (1 - 2*a2) * (1 - 2*a2) - 1./3)), v0 = 1 - 3*v2;
+    const double area = ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x)) / 2;
+    Part p;
+    p.triangle = t;
+    add(p, generator, 1./3, 1./3, 1./3, area * 9/40, area * v0);
+    for(int i = 0; i < 3; ++i) {
+      std::array<double, 3> l1 = {a1, a1, a1}, l2 = {a2, a2, a2};
+      l1[i] = 1 - 2*a1;
+      l2[i] = 1 - 2*a2;
+      add(p, generator, l1[0], l1[1], l1[2], area * w1, 0);
+      add(p, generator, l2[0], l2[1], l2[2], area * w2, area * v2);
+    }
+    return p;
+  }
+
+  // a sample with its weights in both rules
+  void add(Part& p, const Vector_of_doubles& generator, double l0, double l1, double l2, double weight, double other) const
+  {
+    const Triangle& t = p.triangle;
+    const Vector_of_doubles x = {l0*t[0].x + l1*t[1].x + l2*t[2].x, l0*t[0].y + l1*t[1].y + l2*t[2].y};
+    Symmetric_form m;
+    double density;
+    m_density(x, m, density);
+    p.sum.mass += weight * density;
+    const double dx = x.x - generator.x, dy = x.y - generator.y;
+    p.sum.energy += p.sum.moments.add((weight * density) * m, dx, dy);
+    p.difference.x += (weight - other) * density * (m.a*dx + m.b*dy);
+    p.difference.y += (weight - other) * density * (m.b*dx + m.c*dy);
+  }
+
+  const Density& m_density;
+  const double   m_tolerance;
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_REGION_INTEGRATOR_H

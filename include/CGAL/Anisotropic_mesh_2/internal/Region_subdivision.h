@@ -1,0 +1,248 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_REGION_SUBDIVISION_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_REGION_SUBDIVISION_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Face_divider.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Generator_set.h>
+
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+template <class Tds = void>
+class Region_vertex_base
+  : public Triangulation_ds_vertex_base_2<Tds>
+{
+public:
+  template <class Tds2>
+  struct Rebind_TDS { typedef Region_vertex_base<Tds2> Other; };
+
+  Corner      corner;
+  std::size_t id = 0;
+  bool        is_generator = false;
+};
+
+template <class Tds = void>
+class Region_face_base
+  : public Triangulation_ds_face_base_2<Tds>
+{
+  typedef Triangulation_ds_face_base_2<Tds> Base;
+
+public:
+  template <class Tds2>
+  struct Rebind_TDS { typedef Region_face_base<Tds2> Other; };
+  using Base::Base;
+
+  bool        is_in_domain = false;
+  bool        is_pending = false; // whether it is to be examined
+  std::size_t division = static_cast<std::size_t>(-1); // its index, once it is examined
+};
+
+// The domain of a mesh, its faces bisected until each one lies in the regions
+// of at most three generators in a way that the metric within it cannot upset.
+//
+// Faces are bisected at their longest edge, together with the face beyond it,
+// so that no face has a vertex within an edge.
+template <class Mesh, class Place_at>
+class Region_subdivision
+{
+public:
+  typedef Triangulation_data_structure_2<Region_vertex_base<>, Region_face_base<> > Tds;
+  typedef typename Tds::Vertex_handle                                               Vertex_handle;
+  typedef typename Tds::Face_handle                                                 Face_handle;
+  typedef typename Tds::Edge                                                        Edge;
+
+  // `region_of` maps the index of a vertex of the mesh to its generator, which
+  // vertices outside of the domain do not have.
+  Region_subdivision(const Mesh& mesh, const Generator_set& generators, const std::vector<std::size_t>& region_of,
+                     const Place_at& place_at, double tolerance)
+    : m_generators(generators), m_place_at(place_at), m_divider(generators, place_at, tolerance),
+      m_maximum_number_of_vertices(1000000 + 1000 * generators.size())
+  {
+    copy(mesh, region_of);
+    examine_all();
+  }
+
+  const Tds& tds() const { return m_tds; }
+  const Divided_face& division(Face_handle f) const { return m_divisions[f->division]; }
+
+private:
+  // Bisectors pass through the midpoints of generators, where vertices would
+  // have two nearest generators: edges are cut a little off their midpoints.
+  static constexpr double place_of_cut = 0.46;
+
+  void copy(const Mesh& mesh, const std::vector<std::size_t>& region_of)
+  {
+    struct Convert_vertex
+    {
+      const Mesh& mesh;
+      const std::vector<std::size_t>& region_of;
+      const bool is_measured_at_generators;
+
+      typename Tds::Vertex operator()(const typename Mesh::Triangulation_data_structure::Vertex&) const
+      { return typename Tds::Vertex(); }
+      void operator()(const typename Mesh::Triangulation_data_structure::Vertex& v, typename Tds::Vertex& copy) const
+      {
+        if(&v == &*mesh.infinite_vertex())
+          return;
+        copy.corner.label = region_of[v.index()];
+        copy.corner.place.at = {CGAL::to_double(v.point().x()), CGAL::to_double(v.point().y())};
+        copy.corner.place.m = is_measured_at_generators ? Symmetric_form(1, 0, 1) : Symmetric_form(v.metric_tensor());
+        copy.is_generator = true;
+      }
+    };
+    struct Convert_face
+    {
+      typename Tds::Face operator()(const typename Mesh::Triangulation_data_structure::Face&) const
+      { return typename Tds::Face(); }
+      void operator()(const typename Mesh::Triangulation_data_structure::Face& f, typename Tds::Face& copy) const
+      {
+        copy.is_in_domain = copy.is_pending = f.is_in_domain();
+      }
+    };
+    m_tds.copy_tds(mesh.tds(), mesh.infinite_vertex(), 
+                   Convert_vertex{mesh, region_of, m_generators.is_measured_at_generators()}, Convert_face());
+    std::size_t id = 0;
+    for(auto v = m_tds.vertices_begin(); v != m_tds.vertices_end(); ++v)
+      v->id = id++;
+    // one of two generators that coincide up to rounding has no region
+    for(auto f = m_tds.faces_begin(); f != m_tds.faces_end(); ++f)
+      if(f->is_in_domain)
+        for(int i = 0; i < 3; ++i) {
+          const std::size_t own = f->vertex(i)->corner.label;
+          label(f->vertex(i)->corner);
+          f->vertex(i)->is_generator = f->vertex(i)->is_generator && f->vertex(i)->corner.label == own;
+        }
+  }
+
+  void label(Corner& c) const { c.label = m_generators.nearest(c.place, c.label); }
+
+  void examine_all()
+  {
+    std::deque<Face_handle> pending;
+    for(auto f = m_tds.faces_begin(); f != m_tds.faces_end(); ++f)
+      if(f->is_pending)
+        pending.push_back(f);
+    while(!pending.empty()) {
+      const Face_handle f = pending.front();
+      pending.pop_front();
+      if(!f->is_pending)
+        continue;
+      f->is_pending = false;
+      if(!examine(f))
+        cut(longest_edge(f), pending);
+    }
+  }
+
+  // Divides the face among the generators, or says that it is to be bisected.
+  bool examine(Face_handle f)
+  {
+    const bool is_last = m_tds.number_of_vertices() > m_maximum_number_of_vertices;
+    Divided_face d;
+    if(!m_divider(f->vertex(0)->corner, f->vertex(1)->corner, f->vertex(2)->corner, is_last, d))
+      return false;
+    f->division = m_free_divisions.empty() ? m_divisions.size() : m_free_divisions.back();
+    if(m_free_divisions.empty())
+      m_divisions.push_back(std::move(d));
+    else {
+      m_divisions[f->division] = std::move(d);
+      m_free_divisions.pop_back();
+    }
+    return true;
+  }
+
+  Edge longest_edge(Face_handle f) const
+  {
+    int longest = 0;
+    for(int i = 1; i < 3; ++i)
+      if(is_shorter(Edge(f, longest), Edge(f, i)))
+        longest = i;
+    return Edge(f, longest);
+  }
+
+  bool is_shorter(const Edge& e, const Edge& f) const
+  {
+    const double le = squared_length(e), lf = squared_length(f);
+    return le != lf ? le < lf : ids(e) < ids(f);
+  }
+
+  static std::pair<Vertex_handle, Vertex_handle> ends(const Edge& e)
+  {
+    const Vertex_handle u = e.first->vertex(Tds::ccw(e.second)), v = e.first->vertex(Tds::cw(e.second));
+    return u->id < v->id ? std::make_pair(u, v) : std::make_pair(v, u);
+  }
+
+  static std::pair<std::size_t, std::size_t> ids(const Edge& e)
+  {
+    const auto uv = ends(e);
+    return std::make_pair(uv.first->id, uv.second->id);
+  }
+
+  double squared_length(const Edge& e) const
+  {
+    const auto uv = ends(e);
+    const Place &p = uv.first->corner.place, &q = uv.second->corner.place;
+    return (p.m + q.m)(p.at.x - q.at.x, p.at.y - q.at.y);
+  }
+
+  void cut(const Edge& e, std::deque<Face_handle>& pending)
+  {
+    const auto uv = ends(e);
+    const Vector_of_doubles p = uv.first->corner.place.at, q = uv.second->corner.place.at;
+    const std::size_t hint = uv.first->corner.label;
+    const Edge mirror = m_tds.mirror_edge(e);
+    const bool is_other_in_domain = mirror.first->is_in_domain;
+    const Vertex_handle apex = e.first->vertex(e.second);
+    forget_division(e.first);
+    forget_division(mirror.first);
+
+    const Vertex_handle v = m_tds.insert_in_edge(e.first, e.second);
+    v->id = m_tds.number_of_vertices() - 1;
+    v->corner.place = m_place_at({p.x + place_of_cut * (q.x - p.x), p.y + place_of_cut * (q.y - p.y)});
+    v->corner.label = hint;
+    label(v->corner);
+    auto f = m_tds.incident_faces(v), first = f;
+    do {
+      f->is_in_domain = f->has_vertex(apex) || is_other_in_domain;
+      f->is_pending = f->is_in_domain;
+      if(f->is_pending)
+        pending.push_back(f);
+    } while(++f != first);
+  }
+
+  void forget_division(Face_handle f)
+  {
+    if(f->division == static_cast<std::size_t>(-1))
+      return;
+    m_free_divisions.push_back(f->division);
+    f->division = static_cast<std::size_t>(-1);
+  }
+
+  const Generator_set&         m_generators;
+  const Place_at&              m_place_at;
+  Face_divider<Place_at>       m_divider;
+  const std::size_t            m_maximum_number_of_vertices;
+  Tds                          m_tds;
+  std::deque<Divided_face>     m_divisions;
+  std::vector<std::size_t>     m_free_divisions;
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_REGION_SUBDIVISION_H

@@ -1,0 +1,27 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VECTOR_OF_DOUBLES_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VECTOR_OF_DOUBLES_H
+
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+struct Vector_of_doubles
+{
+  double x = 0, y = 0;
+};
+
+typedef std::vector<Vector_of_doubles> Vectors;
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_VECTOR_OF_DOUBLES_H
