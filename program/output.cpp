@@ -12,7 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/IO/off.h>
 #include <CGAL/Anisotropic_mesh_2/IO/svg.h>
 #include <CGAL/Anisotropic_mesh_2/IO/vtu.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 
 #include <nlohmann/json.hpp>
 
@@ -99,7 +99,7 @@ void write_outputs(const Mesh& mesh, const Options& options, const Run_report& r
   for(const Output& output : options.meshes)
     write_mesh(mesh, output);
   if(!options.voronoi.empty())
-    CGAL::IO::write_SVG(options.voronoi, CGAL::anisotropic_voronoi_cells_2(mesh));
+    CGAL::IO::write_SVG(options.voronoi, CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3));
   if(!options.stats.empty())
     write_statistics(options.stats, statistics_of(mesh, options, report));
 }

@@ -4,9 +4,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/svg.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -26,7 +26,7 @@ void tessellate(const std::string& name, const CGAL::Anisotropic_mesh_domain_2<K
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(60));
   std::cout << name << '\n' << CGAL::anisotropic_mesh_statistics_2(mesh) << std::endl;
   CGAL::IO::write_SVG(name + ".svg", mesh);
-  CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::anisotropic_voronoi_cells_2(mesh));
+  CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)>(mesh));
 }
 
 int main()

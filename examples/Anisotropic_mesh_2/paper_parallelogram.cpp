@@ -5,10 +5,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/svg.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -28,7 +28,7 @@ void report(const Mesh& mesh, int iterations)
   std::cout << iterations << '\t' << s.quality_mean << '\t' << s.quality_min << '\t' << s.edge_length_mean << '\n';
   const std::string name = "parallelogram_" + std::to_string(iterations);
   CGAL::IO::write_SVG(name + ".svg", mesh);
-  CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::anisotropic_voronoi_cells_2(mesh));
+  CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh));
 }
 
 int main()

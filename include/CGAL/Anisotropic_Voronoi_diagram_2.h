@@ -94,6 +94,9 @@ public:
   }
   /// @}
 
+  /// the mesh that was given.
+  const Mesh& mesh() const { return m_mesh; }
+
   /// \name Regions
   /// @{
 

@@ -29,7 +29,7 @@
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_Delaunay_consistency_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
@@ -219,22 +219,28 @@ void test_statistics(const Mesh& mesh)
 }
 
 template <class Mesh>
-void test_voronoi_cells(const Mesh& mesh)
+void test_voronoi_diagram(const Mesh& mesh)
 {
-  const auto cells = CGAL::anisotropic_voronoi_cells_2(mesh);
-  CHECK(cells.size() == mesh.number_of_vertices());
-  double area = 0;
-  for(const auto& cell : cells)
-    for(const auto& polygon : cell.polygons)
-      for(std::size_t i = 0; i < polygon.size(); ++i) {
-        const auto &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        area += CGAL::to_double(a.x() * b.y() - b.x() * a.y()) / 2;
-      }
+  typedef CGAL::Anisotropic_Voronoi_diagram_2<Mesh> Diagram;
+  const Diagram diagram(mesh);
+  CHECK(diagram.number_of_regions() == mesh.number_of_vertices());
+  double area = 0, energy = 0;
+  for(std::size_t i = 0; i < diagram.number_of_regions(); ++i) {
+    area += diagram.region(i).area;
+    energy += diagram.integrals(i).energy;
+    CHECK(diagram.index(diagram.region(i).vertex) == i);
+    CHECK(diagram.nearest_generator(diagram.region(i).generator) == i);
+  }
   CHECK(std::abs(area - 15) < 1e-9);
+  CHECK(energy > 0 && diagram.duality().share_of_dual_edges() > 0.5);
+  const CGAL::Anisotropic_Voronoi_diagram_2<Mesh, CGAL::Anisotropic_mesh_2::Labelle_Shewchuk_distance_2> other(mesh);
+  CHECK(other.number_of_regions() == diagram.number_of_regions());
+  CGAL::Anisotropic_mesh_2::Voronoi_drawing all;
+  all.mass_centres = all.dual_edges = true;
   std::ostringstream os;
-  CGAL::IO::write_SVG(os, cells);
-  CGAL::IO::write_SVG(os, cells, "cells");
-  CHECK(os.str().find("cells") != std::string::npos);
+  CGAL::IO::write_SVG(os, diagram);
+  CGAL::IO::write_SVG(os, other, "regions", all);
+  CHECK(os.str().find("regions") != std::string::npos);
 }
 
 // a mesh, or any constrained triangulation of CGAL whose faces tell whether they are in the domain
@@ -300,7 +306,7 @@ void test_mesh(CGAL::Anisotropic_mesh_2::Point_placement placement)
   test_optimizers(mesh);
   CHECK(is_mesh_of_square(mesh));
   test_statistics(mesh);
-  test_voronoi_cells(mesh);
+  test_voronoi_diagram(mesh);
   test_writers(mesh);
   test_metric_writer(mesh);
 }
@@ -332,7 +338,7 @@ void test_field(const CGAL::Anisotropic_mesh_domain_2<K>& domain, const Field& f
   CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);
-  CHECK(!CGAL::anisotropic_voronoi_cells_2(mesh).empty());
+  CHECK(CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)>(mesh).number_of_regions() > 0);
   test_metric_writer(mesh);
 }
 

@@ -7,7 +7,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
@@ -128,12 +128,10 @@ void test_domain_with_everything()
     fixed += mesh.is_fixed(v);
   CHECK(empty.number_of_vertices() == fixed);
 
-  double cells = 0;
-  for(const auto& cell : CGAL::anisotropic_voronoi_cells_2(mesh))
-    for(const auto& polygon : cell.polygons)
-      for(std::size_t i = 2; i < polygon.size(); ++i)
-        cells += CGAL::area(polygon[0], polygon[i - 1], polygon[i]);
-  CHECK_MSG(std::abs(cells / area_of(mesh) - 1) < 1e-10, std::to_string(cells));
+  double regions = 0;
+  for(const auto& region : CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh).regions())
+    regions += region.area;
+  CHECK_MSG(std::abs(regions / area_of(mesh) - 1) < 1e-10, std::to_string(regions));
 }
 
 // The paper's start for the parallelogram: half of the points clustered at the centre.

@@ -25,7 +25,7 @@
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -82,11 +82,11 @@ void test_mesh(const Domain& domain, const Field& field)
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);
-  const auto cells = CGAL::anisotropic_voronoi_cells_2(mesh);
-  CHECK(cells.size() == mesh.number_of_vertices());
+  const CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)> diagram(mesh);
+  CHECK(diagram.number_of_regions() == mesh.number_of_vertices());
   std::ostringstream os;
   CGAL::IO::write_SVG(os, mesh);
-  CGAL::IO::write_SVG(os, cells);
+  CGAL::IO::write_SVG(os, diagram);
   CGAL::IO::write_medit(os, mesh);
   CGAL::IO::write_medit_metric(os, mesh);
   CHECK(os.str().find("SolAtVertices") != std::string::npos);

@@ -10,14 +10,17 @@
 #include "include/marked_triangulation.h"
 #include "include/scratch_directory.h"
 
+#include <CGAL/Anisotropic_Delaunay_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
+#include <CGAL/Constant_metric_field_2.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -25,7 +28,10 @@
 #include <utility>
 #include <vector>
 
-typedef CGAL::Anisotropic_mesh_2::Voronoi_cell_2<Kernel>  Cell;
+typedef CGAL::Metric_tensor_2<Kernel>                                                  Tensor;
+typedef CGAL::Riemannian_metric_traits_2<Kernel, CGAL::Constant_metric_field_2<Kernel> > Traits;
+typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits>                                      Mesh;
+typedef CGAL::Anisotropic_Voronoi_diagram_2<Mesh>                                      Diagram;
 
 // the subset of XML and of path data that pictures use
 class Picture
@@ -193,7 +199,8 @@ void test_large_mesh()
 void test_degenerate_pictures()
 {
   CHECK(Picture(drawn(Marked_cdt())).contains("0 vertices, 0 triangles"));
-  CHECK(Picture(drawn(std::vector<Cell>())).contains("0 Voronoi regions"));
+  const Mesh empty{Traits(CGAL::Constant_metric_field_2<Kernel>(Tensor()))};
+  CHECK(Picture(drawn(Diagram(empty))).contains("0 Voronoi regions"));
   Marked_cdt flat = marked_rectangle(); // 10^6 times as wide as high, and far away
   Marked_cdt cdt;
   for(auto v = flat.finite_vertices_begin(); v != flat.finite_vertices_end(); ++v)
@@ -204,60 +211,58 @@ void test_degenerate_pictures()
   CHECK(Picture(drawn(cdt, "", [](Marked_cdt::Face_handle) { return 0.5; })).contains("7 vertices"));
 }
 
-Kernel::Point_2 corner(double i, double j) { return Kernel::Point_2(i / 3, j / 3); }
-
-// n x n square cells; each is cut into two pieces with a joint that does not match
-std::vector<Cell> squares(int n)
+// (n+1) x (n+1) generators whose regions are squares, cut in halves at the border
+Mesh grid(int n)
 {
-  std::vector<Cell> cells;
-  for(int i = 0; i < n; ++i)
-    for(int j = 0; j < n; ++j) {
-      Cell cell;
-      cell.generator = corner(i + 0.5, j + 0.5);
-      cell.polygons = {{corner(i, j), corner(i + 1, j), corner(i + 1, j + 0.4), corner(i, j + 0.4)},
-                       {corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j + 0.4), corner(i + 0.7, j + 0.4),
-                        corner(i, j + 0.4)}}; // clockwise, with a corner more
-      cell.is_on_boundary = i == 0 || j == 0 || i == n - 1 || j == n - 1;
-      cells.push_back(cell);
-    }
-  return cells;
+  Mesh mesh{Traits(CGAL::Constant_metric_field_2<Kernel>(Tensor()))};
+  Mesh::Boundary_mesh square;
+  square.points = {Kernel::Point_2(0, 0), Kernel::Point_2(n, 0), Kernel::Point_2(n, n), Kernel::Point_2(0, n)};
+  for(std::size_t i = 0; i < 4; ++i)
+    square.segments.push_back({i, (i + 1) % 4, 1, true});
+  mesh.insert_boundary(square);
+  for(int i = 0; i <= n; ++i)
+    for(int j = 0; j <= n; ++j)
+      mesh.insert(Kernel::Point_2(i, j));
+  return mesh;
 }
 
 void test_tessellation()
 {
-  const std::vector<Cell> cells = squares(4);
-  const std::string text = drawn(cells);
+  const Mesh mesh = grid(4);
+  const std::string text = drawn(Diagram(mesh));
   const Picture picture(text);
-  CHECK(picture.contains("<title>Tessellation</title>"));
-  CHECK(picture.contains("16 Voronoi regions and their generators"));
+  CHECK(picture.contains("<title>Voronoi diagram</title>"));
+  CHECK(picture.contains("25 Voronoi regions") && !picture.contains("orphan"));
   CHECK(picture.segments("#14202b") == 4); // the boundary, joined to four straight lines
-  CHECK(picture.segments("#1d2b38") == 16); // dots
-  CHECK(picture.segments("#4d6073") > 0 && picture.segments("#4d6073") <= 24); // borders, no joints
+  CHECK(picture.segments("#1d2b38") == 25); // dots
+  // the bisectors, some of them with steps where four regions meet
+  CHECK(picture.segments("#4d6073") >= 8 && picture.segments("#4d6073") <= 100);
   std::size_t areas = 0;
   for(const auto& p : picture.paths())
     areas += p.fill.empty() ? 0 : p.lines;
-  CHECK(areas == 16);
-  CHECK(text == drawn(squares(4)));
-  CHECK(Picture(drawn(cells, "a title")).contains("<title>a title</title>"));
+  CHECK(areas == 25);
+  CHECK(text == drawn(Diagram(mesh)));
+  CHECK(Picture(drawn(Diagram(mesh), "a title")).contains("<title>a title</title>"));
 }
 
-void test_neighbors_differ()
+void test_what_is_drawn()
 {
-  const int n = 16; // a multiple of the number of colors, which cyclic colors would not do
-  const Picture picture(drawn(squares(n)));
-  std::map<std::array<long, 2>, std::string> fills; // by row and column
-  for(const auto& p : picture.paths())
-    for(const std::array<int, 2>& s : p.starts) // the upper left corner of a cell
-      if(!p.fill.empty())
-        fills[{std::lround((s[0] * picture.scale() - 16) / (768. / n)),
-               std::lround((s[1] * picture.scale() - 16) / (768. / n))}] = p.fill;
-  CHECK(fills.size() == std::size_t(n * n));
-  for(const auto& cell : fills)
-    for(const std::array<long, 2>& step : {std::array<long, 2>{0, 1}, {1, 0}, {1, 1}, {1, -1}}) {
-      const auto neighbor = fills.find({cell.first[0] + step[0], cell.first[1] + step[1]});
-      CHECK(neighbor == fills.end() || neighbor->second != cell.second);
-    }
-  const std::string many = drawn(squares(39));
+  const Mesh mesh = grid(4);
+  const Diagram diagram(mesh);
+  CGAL::Anisotropic_mesh_2::Voronoi_drawing drawing;
+  drawing.generators = false;
+  CHECK(Picture(drawn(diagram, "", drawing)).segments("#1d2b38") == 0);
+  drawing.mass_centres = true;
+  // dots for all, and lines from the 16 generators of the border to theirs
+  CHECK(Picture(drawn(diagram, "", drawing)).segments("#c0392b") == 25 + 16);
+  drawing.dual_edges = true;
+  CHECK(Picture(drawn(diagram, "", drawing)).segments("#a03a3a") >= 10);
+}
+
+void test_size()
+{
+  const Mesh mesh = grid(38);
+  const std::string many = drawn(Diagram(mesh));
   CHECK_MSG(many.size() < 300000, std::to_string(many.size()));
 }
 
@@ -265,9 +270,11 @@ void test_files(const Scratch_directory& scratch)
 {
   CGAL::IO::write_SVG(scratch / "mesh.svg", marked_rectangle(), "in a file");
   CHECK(content_of(scratch / "mesh.svg") == drawn(marked_rectangle(), "in a file"));
-  CGAL::IO::write_SVG(scratch / "cells.svg", squares(3));
-  CHECK(content_of(scratch / "cells.svg") == drawn(squares(3)));
-  CHECK_THROWS(CGAL::IO::write_SVG(scratch / "no/a.svg", squares(3)), CGAL::Mesh_io_exception, "no/a.svg");
+  const Mesh mesh = grid(3);
+  const Diagram diagram(mesh);
+  CGAL::IO::write_SVG(scratch / "cells.svg", diagram);
+  CHECK(content_of(scratch / "cells.svg") == drawn(diagram));
+  CHECK_THROWS(CGAL::IO::write_SVG(scratch / "no/a.svg", diagram), CGAL::Mesh_io_exception, "no/a.svg");
 }
 
 int main()
@@ -278,7 +285,8 @@ int main()
   test_large_mesh();
   test_degenerate_pictures();
   test_tessellation();
-  test_neighbors_differ();
+  test_what_is_drawn();
+  test_size();
   test_files(scratch);
   return finish();
 }

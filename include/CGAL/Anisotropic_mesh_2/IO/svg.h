@@ -9,16 +9,19 @@
 
 #include <CGAL/Anisotropic_mesh_2/IO/internal/domain_graph.h>
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_mesh.h>
-#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_tessellation.h>
+#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_voronoi_diagram.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
-#include <CGAL/Anisotropic_mesh_2/Voronoi_cell_2.h>
+#include <CGAL/Anisotropic_mesh_2/Voronoi_drawing.h>
 
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace CGAL {
+
+template <class Mesh, class Distance> class Anisotropic_Voronoi_diagram_2;
+
 namespace IO {
 
 /// \addtogroup PkgAnisotropicMesh2IO
@@ -61,12 +64,17 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Q
 }
 
 /// draws a tessellation: its regions in soft colors, different for neighbors,
-/// the generators as dots, and the boundary of the domain.
-template <class K>
-void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Voronoi_cell_2<K>>& cells,
-               const std::string& title = std::string())
+/// their orphans in a strong tone of the same color, the constrained edges, and
+/// what `drawing` asks for.
+///
+/// The width of lines follows that of the regions.
+template <class Mesh, class Distance>
+void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance>& diagram,
+               const std::string& title = std::string(),
+               const Anisotropic_mesh_2::Voronoi_drawing& drawing = Anisotropic_mesh_2::Voronoi_drawing())
 {
-  Anisotropic_mesh_2::internal::Svg_tessellation<K>(cells).write(os, title);
+  typedef Anisotropic_Voronoi_diagram_2<Mesh, Distance> Diagram;
+  Anisotropic_mesh_2::internal::Svg_voronoi_diagram<Diagram>(diagram, drawing).write(os, title);
 }
 
 /// draws a triangulation or a tessellation to a file, which appears under its

@@ -1,0 +1,29 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_DRAWING_H
+#define CGAL_ANISOTROPIC_MESH_2_VORONOI_DRAWING_H
+
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2IO
+///
+/// what a picture of a Voronoi diagram shows besides the regions.
+struct Voronoi_drawing
+{
+  bool generators = true;
+  bool mass_centres = false;  ///< in red, with a line from the generator
+  bool dual_edges = false;    ///< lines between the generators of neighbors
+  Measure measure = Measure::RIEMANNIAN; ///< of the mass centres
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_DRAWING_H
