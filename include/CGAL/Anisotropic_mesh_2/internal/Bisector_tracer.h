@@ -54,27 +54,35 @@ public:
     return m_place_at(at((bracket.first + bracket.second) / 2));
   }
 
-  // Whether Newton's method finds, from `start` on, a point with the same
-  // distance to the three generators without leaving where `contains` holds.
+  // Whether Newton's method finds, from the middle of the face on, a point
+  // with the same distance to three generators without leaving the face. The
+  // derivatives are differences towards two of its corners.
   template <class Contains>
-  bool meeting_point(const Place& start, const std::array<std::size_t, 3>& label, const Contains& contains,
-                     Place& result) const
+  bool meeting_point(const std::array<const Place*, 3>& corner, const Place& middle,
+                     const std::array<std::size_t, 3>& label, const Contains& contains, Place& result) const
   {
-    result = start;
-    for(int step = 0; step < 50; ++step) {
+    const double step = 1e-5;
+    result = middle;
+    for(int i = 0; i < 30; ++i) {
       const double u = m_generators.difference(result, label[0], label[1]);
       const double v = m_generators.difference(result, label[0], label[2]);
-      const Vector_of_doubles gu = m_generators.gradient_of_difference(result, label[0], label[1]);
-      const Vector_of_doubles gv = m_generators.gradient_of_difference(result, label[0], label[2]);
-      const double det = gu.x*gv.y - gu.y*gv.x;
-      const Vector_of_doubles d = {(u*gv.y - v*gu.y) / det, (gu.x*v - gv.x*u) / det};
-      const double length = m_generators.tensor(result, label[0])(d.x, d.y);
-      const double distance = m_generators.squared_distance(result, label[0]);
-      const Vector_of_doubles next = {result.at.x - d.x, result.at.y - d.y};
+      std::array<Vector_of_doubles, 2> way;
+      std::array<double, 2> du, dv;
+      for(int k = 0; k < 2; ++k) {
+        way[k] = {step * (corner[k]->at.x - result.at.x), step * (corner[k]->at.y - result.at.y)};
+        const Place p = m_place_at({result.at.x + way[k].x, result.at.y + way[k].y});
+        du[k] = m_generators.difference(p, label[0], label[1]) - u;
+        dv[k] = m_generators.difference(p, label[0], label[2]) - v;
+      }
+      const double det = du[0]*dv[1] - du[1]*dv[0];
+      const double s = (du[1]*v - dv[1]*u) / det, t = (dv[0]*u - du[0]*v) / det;
+      const Vector_of_doubles d = {s * way[0].x + t * way[1].x, s * way[0].y + t * way[1].y};
+      const Vector_of_doubles next = {result.at.x + d.x, result.at.y + d.y};
       if(!contains(next))
         return false;
+      const double length = m_generators.tensor(result, label[0])(d.x, d.y);
       result = m_place_at(next);
-      if(length <= 1e-26 * distance)
+      if(length <= 1e-24 * m_generators.squared_distance(result, label[0]))
         return true;
     }
     return false;
@@ -98,7 +106,7 @@ private:
   {
     const Place middle = m_place_at({(from.x + to.x) / 2, (from.y + to.y) / 2});
     Place p = middle;
-    const bool is_on_bisector = project(p, i, j, contains);
+    const bool is_on_bisector = project(p, i, j, {to.x - from.x, to.y - from.y}, contains);
     const double moved = std::sqrt(m_generators.tensor(middle, i)(p.at.x - middle.at.x, p.at.y - middle.at.y)
                                    / m_generators.squared_distance(middle, i));
     // a half of a curve is four times as near to its chord as the whole
@@ -116,36 +124,34 @@ private:
     return trace(p.at, to, i, j, contains, depth - 1, curve);
   }
 
-  // Moves p across the bisector onto it; fails if p would leave where
-  // `contains` holds, and is then the first point beyond.
+  // Moves p across the chord onto the bisector, by the secant method; fails if
+  // p would leave where `contains` holds, and is then the first point beyond.
   template <class Contains>
-  bool project(Place& p, std::size_t i, std::size_t j, const Contains& contains) const
+  bool project(Place& p, std::size_t i, std::size_t j, const Vector_of_doubles& chord, const Contains& contains) const
   {
-    const double rounding = 1e-24 * m_generators.squared_distance(p, i);
-    for(int step = 0; step < 20; ++step) {
-      const double excess = m_generators.difference(p, i, j);
-      const Vector_of_doubles g = m_generators.gradient_of_difference(p, i, j), across = direction_across(i, j, g);
-      const double t = -excess / (g.x*across.x + g.y*across.y);
-      const Vector_of_doubles next = {p.at.x + t*across.x, p.at.y + t*across.y};
-      const double last = m_generators.tensor(p, i)(t*across.x, t*across.y);
-      if(last <= rounding)
+    const double distance = m_generators.squared_distance(p, i);
+    const Place start = p;
+    const Symmetric_form& m = m_generators.tensor(start, i);
+    // perpendicular to the chord in the tensor of its middle
+    const Vector_of_doubles across = {-(m.b*chord.x + m.c*chord.y), m.a*chord.x + m.b*chord.y};
+    const double unit = std::sqrt(distance / m(across.x, across.y));
+    double t = 0, excess = m_generators.difference(p, i, j), old_t = 0, old_excess = excess;
+    for(int step = 0; step < 30; ++step) {
+      if(std::abs(excess) <= 1e-14 * distance)
         return true;
-      if(!contains(next)) {
-        p.at = next;
+      const double next_t = step == 0 ? 1e-4 * m_tolerance : t - excess * (t - old_t) / (excess - old_excess);
+      p.at = {start.at.x + next_t * unit * across.x, start.at.y + next_t * unit * across.y};
+      if(!contains(p.at))
         return false;
-      }
-      p = m_place_at(next);
+      p = m_place_at(p.at);
+      old_t = t;
+      old_excess = excess;
+      t = next_t;
+      excess = m_generators.difference(p, i, j);
+      if(step > 0 && std::abs(t - old_t) <= 1e-12)
+        return true;
     }
     return false;
-  }
-
-  // perpendicular to the bisector, in the tensor of the place if that measures both distances
-  Vector_of_doubles direction_across(std::size_t i, std::size_t j, const Vector_of_doubles& g) const
-  {
-    if(m_generators.is_measured_at_generators())
-      return g;
-    const Vector_of_doubles &zi = m_generators.position(i), &zj = m_generators.position(j);
-    return {zj.x - zi.x, zj.y - zi.y};
   }
 
   const Generator_set& m_generators;

@@ -145,7 +145,7 @@ private:
   {
     if(d.number_of_labels() != 3)
       return true;
-    const bool is_found = m_tracer.meeting_point(m_middle, d.label, inside(), d.centre);
+    const bool is_found = m_tracer.meeting_point(m_corner, m_middle, d.label, inside(), d.centre);
     if(is_found && is_nearest(d.centre, d.label[0]))
       return true;
     if(!is_found)

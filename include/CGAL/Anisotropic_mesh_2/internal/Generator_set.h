@@ -67,21 +67,8 @@ public:
   {
     if(is_measured_at_generators())
       return squared_distance(p, i) - squared_distance(p, j);
-    return difference_at(p.at, p.m, i, j);
-  }
-
-  // the same at x, if measured by m
-  double difference_at(const Vector_of_doubles& x, const Symmetric_form& m, std::size_t i, std::size_t j) const
-  {
-    const Vector_of_doubles &p = m_positions[i], &q = m_positions[j];
-    return 2 * m(q.x - p.x, q.y - p.y, x.x - (p.x + q.x) / 2, x.y - (p.y + q.y) / 2);
-  }
-
-  // The gradient of the difference, but for what the tensor varies.
-  Vector_of_doubles gradient_of_difference(const Place& p, std::size_t i, std::size_t j) const
-  {
-    const Vector_of_doubles gi = gradient(p, i), gj = gradient(p, j);
-    return {gi.x - gj.x, gi.y - gj.y};
+    const Vector_of_doubles &zi = m_positions[i], &zj = m_positions[j];
+    return 2 * p.m(zj.x - zi.x, zj.y - zi.y, p.at.x - (zi.x + zj.x) / 2, p.at.y - (zi.y + zj.y) / 2);
   }
 
   // The nearest generator, the one of lowest index if several are. `hint` is
@@ -112,13 +99,6 @@ private:
     std::size_t begin, end;  // in the order
     std::size_t second;      // the second child; the first one follows its parent. 0 for a bucket
   };
-
-  Vector_of_doubles gradient(const Place& p, std::size_t i) const
-  {
-    const Symmetric_form& m = tensor(p, i);
-    const double x = p.at.x - m_positions[i].x, y = p.at.y - m_positions[i].y;
-    return {2 * (m.a*x + m.b*y), 2 * (m.b*x + m.c*y)};
-  }
 
   std::size_t build(std::size_t begin, std::size_t end)
   {
