@@ -51,6 +51,11 @@ namespace CGAL {
 ///     \cgalParamType{`Anisotropic_mesh_2::Measure`}
 ///     \cgalParamDefault{`RIEMANNIAN`, whose optimum has edges of unit length}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{region_evaluation}
+///     \cgalParamDescription{what energies and mass centres are taken from}
+///     \cgalParamType{`Anisotropic_mesh_2::Region_evaluation`}
+///     \cgalParamDefault{`BY_FACES`, the fastest}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{an object whose member `bool iteration(const Anisotropic_mesh_2::Optimization_state&)`
 ///       is called after each iteration, and once before the first; `false` stops the optimizer}

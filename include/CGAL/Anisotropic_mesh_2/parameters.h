@@ -19,6 +19,7 @@ struct maximum_number_of_vertices_t {};
 struct keep_boundary_points_t {};
 struct point_placement_t {};
 struct measure_t {};
+struct region_evaluation_t {};
 
 } // namespace internal
 
@@ -79,6 +80,15 @@ template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::point_placement_t, T, Tag, Base>
 point_placement(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::point_placement_t, T, Tag, Base>(v, np); }
+
+/// the `Region_evaluation` of an optimizer.
+template <class Value>
+Parameter<Value, internal::region_evaluation_t> region_evaluation(const Value& v)
+{ return Parameter<Value, internal::region_evaluation_t>(v); }
+template <class Value, class T, class Tag, class Base>
+Chained_parameter<Value, internal::region_evaluation_t, T, Tag, Base>
+region_evaluation(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
+{ return Chained_parameter<Value, internal::region_evaluation_t, T, Tag, Base>(v, np); }
 
 } // namespace parameters
 } // namespace Anisotropic_mesh_2

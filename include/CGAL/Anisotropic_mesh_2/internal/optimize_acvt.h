@@ -9,11 +9,14 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_optimizer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Visibility_energy.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
+#include <CGAL/Anisotropic_mesh_2/Region_evaluation.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/assertions.h>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
@@ -38,10 +41,18 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
 
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_optimization_visitor());
 
-  Acvt_energy<Mesh> energy(mesh, measure);
   Mover mover(mesh);
-  Acvt_optimizer<Mesh, Acvt_energy<Mesh>, Mover, decltype(visitor)> optimizer(energy, mover, criteria, visitor);
-  return method(optimizer);
+  const auto run = [&](auto energy) {
+    Acvt_optimizer<Mesh, decltype(energy), Mover, decltype(visitor)> optimizer(energy, mover, criteria, visitor);
+    return method(optimizer);
+  };
+
+  switch(choose_parameter(get_parameter(np, region_evaluation_t()), Region_evaluation::BY_FACES)) {
+    case Region_evaluation::BY_FACES:           return run(Acvt_energy<Mesh>(mesh, measure));
+    case Region_evaluation::VISIBILITY_REGIONS: return run(Visibility_energy<Mesh>(mesh, measure));
+    case Region_evaluation::FULL_REGIONS:       break;
+  }
+  CGAL_error_msg("there is no optimizer for this Region_evaluation");
 }
 
 } // namespace internal
