@@ -22,10 +22,12 @@ namespace CGAL {
 ///
 /// The region is searched for in the faces of the domain at the vertex and those
 /// across their opposite edges; other generators than the vertices of these
-/// faces are not looked at. The polygons are star-shaped around the vertex.
-/// Their corners are on the boundary of the region unless
-/// `sampling.refines_crossings` is `false`; the corners of the region itself are
-/// cut off, the less the more parts the edges have.
+/// faces are not looked at. The corners of the polygons are on the boundary of
+/// the region unless `sampling.refines_crossings` is `false`; the corners of the
+/// region itself are cut off, the less the more parts the edges have. Where the
+/// angle of a face at the vertex is obtuse in the metric, the region may extend
+/// beyond the opposite edge; of that part, only what the segments to the next
+/// vertex sweep is found, however fine the sampling.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \return counterclockwise polygons: one around the vertex if the domain

@@ -71,7 +71,7 @@ private:
   {
     const double ux = p.x - z.x, uy = p.y - z.y, vx = q.x - z.x, vy = q.y - z.y;
     const double area = (ux*vy - uy*vx) / 2;
-    if(!(area > 0)) // where z is a corner of the region
+    if(area == 0) // where z is a corner of the region
       return 0;
     double energy = 0;
     for(int k = 0; k < m_sampling.parts_of_radius; ++k) {
