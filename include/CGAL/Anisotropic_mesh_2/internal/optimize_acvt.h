@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_optimizer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Full_region_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Visibility_energy.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
@@ -16,7 +17,8 @@
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
-#include <CGAL/assertions.h>
+
+#include <type_traits>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
@@ -47,12 +49,16 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
     return method(optimizer);
   };
 
-  switch(choose_parameter(get_parameter(np, region_evaluation_t()), Region_evaluation::BY_FACES)) {
-    case Region_evaluation::BY_FACES:           return run(Acvt_energy<Mesh>(mesh, measure));
-    case Region_evaluation::VISIBILITY_REGIONS: return run(Visibility_energy<Mesh>(mesh, measure));
-    case Region_evaluation::FULL_REGIONS:       break;
+  // without the parameter, users do not pay for the compilation of the others
+  typedef std::decay_t<decltype(get_parameter(np, region_evaluation_t()))> Given;
+  if constexpr(!std::is_same<Given, internal_np::Param_not_found>::value) {
+    const Region_evaluation evaluation = get_parameter(np, region_evaluation_t());
+    if(evaluation == Region_evaluation::VISIBILITY_REGIONS)
+      return run(Visibility_energy<Mesh>(mesh, measure));
+    if(evaluation == Region_evaluation::FULL_REGIONS)
+      return run(Full_region_energy<Mesh>(mesh, measure));
   }
-  CGAL_error_msg("there is no optimizer for this Region_evaluation");
+  return run(Acvt_energy<Mesh>(mesh, measure));
 }
 
 } // namespace internal
