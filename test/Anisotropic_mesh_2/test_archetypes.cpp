@@ -28,8 +28,10 @@
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_Delaunay_consistency_2.h>
+#include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
+#include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
@@ -243,6 +245,23 @@ void test_voronoi_diagram(const Mesh& mesh)
   CHECK(os.str().find("regions") != std::string::npos);
 }
 
+template <class Mesh>
+void test_visibility_regions(const Mesh& mesh)
+{
+  CGAL::Anisotropic_mesh_2::Visibility_sampling shrunk;
+  shrunk.shrinks_testing_region = true;
+  std::size_t corners = 0;
+  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v) {
+    for(const auto& polygon : CGAL::anisotropic_visibility_region_2(mesh, typename Mesh::Vertex_handle(v)))
+      corners += polygon.size();
+    CHECK(!CGAL::anisotropic_visibility_region_2(mesh, typename Mesh::Vertex_handle(v), shrunk).empty());
+    const auto centre = CGAL::anisotropic_mass_centre_2(mesh, typename Mesh::Vertex_handle(v));
+    const double x = CGAL::to_double(centre.x()), y = CGAL::to_double(centre.y());
+    CHECK(x >= 0 && x <= 4 && y >= 0 && y <= 4);
+  }
+  CHECK(corners > 30 * mesh.number_of_faces_in_domain() - 1);
+}
+
 // a mesh, or any constrained triangulation of CGAL whose faces tell whether they are in the domain
 template <class Tr>
 void test_writers(const Tr& tr)
@@ -292,6 +311,10 @@ void test_optimizers(Mesh& mesh)
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, p::measure(CGAL::Anisotropic_mesh_2::Measure::LEBESGUE)
                                                   .number_of_iterations(2));
   CGAL::acvt_optimize_mesh_2(mesh);
+  const auto by_regions = p::region_evaluation(CGAL::Anisotropic_mesh_2::Region_evaluation::VISIBILITY_REGIONS)
+                            .number_of_iterations(2);
+  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, by_regions);
+  CGAL::acvt_optimize_mesh_2(mesh, by_regions);
   CHECK(mesh.is_valid(true));
 }
 
@@ -307,6 +330,8 @@ void test_mesh(CGAL::Anisotropic_mesh_2::Point_placement placement)
   CHECK(is_mesh_of_square(mesh));
   test_statistics(mesh);
   test_voronoi_diagram(mesh);
+  test_voronoi_diagram(mesh);
+  test_visibility_regions(mesh);
   test_writers(mesh);
   test_metric_writer(mesh);
 }
@@ -339,6 +364,8 @@ void test_field(const CGAL::Anisotropic_mesh_domain_2<K>& domain, const Field& f
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);
   CHECK(CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)>(mesh).number_of_regions() > 0);
+  CHECK(CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)>(mesh).number_of_regions() > 0);
+  test_visibility_regions(mesh);
   test_metric_writer(mesh);
 }
 

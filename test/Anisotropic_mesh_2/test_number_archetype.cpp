@@ -24,8 +24,10 @@
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
+#include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -80,10 +82,21 @@ void test_mesh(const Domain& domain, const Field& field)
   CHECK(mesh.is_valid(true) && mesh.number_of_vertices() > 20);
   CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
+  CGAL::lloyd_optimize_anisotropic_mesh_2
+    (mesh, CGAL::Anisotropic_mesh_2::parameters::region_evaluation
+             (CGAL::Anisotropic_mesh_2::Region_evaluation::VISIBILITY_REGIONS).number_of_iterations(1));
+  CGAL::lloyd_optimize_anisotropic_mesh_2
+    (mesh, CGAL::Anisotropic_mesh_2::parameters::region_evaluation
+             (CGAL::Anisotropic_mesh_2::Region_evaluation::FULL_REGIONS).number_of_iterations(1));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);
   const CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)> diagram(mesh);
   CHECK(diagram.number_of_regions() == mesh.number_of_vertices());
+  for(auto v : mesh.finite_vertex_handles()) {
+    CHECK(!CGAL::anisotropic_visibility_region_2(mesh, v).empty());
+    const Point centre = CGAL::anisotropic_mass_centre_2(mesh, v, CGAL::Anisotropic_mesh_2::Measure::LEBESGUE);
+    CHECK(CGAL::to_double(v->metric_tensor().squared_length(centre - v->point())) < 2);
+  }
   std::ostringstream os;
   CGAL::IO::write_SVG(os, mesh);
   CGAL::IO::write_SVG(os, diagram);

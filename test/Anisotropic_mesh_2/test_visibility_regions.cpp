@@ -428,6 +428,26 @@ void test_few_vertices()
   CHECK(CGAL::anisotropic_mass_centre_2(bow_tie, outside) == outside->point());
 }
 
+// Across a constrained edge, the opposite vertex may be nearer than the ends of the edge.
+void test_vertex_across_constraint()
+{
+  Mesh mesh = mesh_of({Point(-3, -3), Point(3, -3), Point(3, 3), Point(-3, 3)}, {{0, 1, 2, 3}});
+  mesh.insert_constraint(mesh.insert(Point(0.5, -2)), mesh.insert(Point(0.5, 2)));
+  mesh.mark_domain();
+  const Mesh::Vertex_handle v = mesh.insert(Point(0, 0));
+  mesh.insert(Point(0.9, 0));
+  for(bool shrinks : {false, true}) {
+    Visibility_sampling s;
+    s.shrinks_testing_region = shrinks;
+    const auto region = CGAL::anisotropic_visibility_region_2(mesh, v, s);
+    CHECK(region.size() == 1);
+    double right = 0;
+    for(const Point& p : region[0])
+      right = std::max(right, p.x());
+    CHECK_MSG(std::abs(right - 0.45) < 1e-8, std::to_string(right));
+  }
+}
+
 void test_preconditions()
 {
   const Mesh mesh = mesh_of({Point(0, 0), Point(1, 0), Point(0.25, 1)}, {{0, 1, 2}});
@@ -487,6 +507,7 @@ int main()
   test_shrunk_testing_region(cases[1]);
   test_boundary();
   test_few_vertices();
+  test_vertex_across_constraint();
   test_preconditions();
   test_optimizers();
   return finish();
