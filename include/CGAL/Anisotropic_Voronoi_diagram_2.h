@@ -122,13 +122,13 @@ public:
   std::size_t nearest_generator(const Point_2& p) const
   {
     CGAL_precondition(m_generators.size() > 0);
-    return m_generators.nearest(place_at({CGAL::to_double(p.x()), CGAL::to_double(p.y())}));
+    return m_generators.nearest(place_at(vector(p)));
   }
 
   /// the squared distance from `p` to the generator of region `i`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
-    return m_generators.squared_distance(place_at({CGAL::to_double(p.x()), CGAL::to_double(p.y())}), i);
+    return m_generators.squared_distance(place_at(vector(p)), i);
   }
   /// @}
 
@@ -151,7 +151,7 @@ public:
     Vector pull;
     sum.moments.pull(pull.x, pull.y);
     Integrals result;
-    result.mass_centre = Anisotropic_mesh_2::internal::point_at<Point_2>(z.x + pull.x, z.y + pull.y);
+    result.mass_centre = point({z.x + pull.x, z.y + pull.y});
     result.mass_centre_error = error;
     result.area = sum.mass;
     result.energy = sum.energy;
@@ -194,8 +194,11 @@ public:
       w = is_riemannian ? std::sqrt(m.determinant()) : 1;
       m = m_generators.tensor({x, m}, i);
     };
+    std::vector<std::array<Vector, 3> > triangles;
+    for(const typename Region::Tile& t : m_regions[i].tiles)
+      triangles.push_back({vector(t[0]), vector(t[1]), vector(t[2])});
     const Anisotropic_mesh_2::internal::Region_integrator<decltype(density)> integrator(density, tolerance);
-    return integrator(m_triangles[i], m_generators.position(i), error);
+    return integrator(triangles, m_generators.position(i), error);
   }
 #endif
 
@@ -203,12 +206,11 @@ private:
   typedef Anisotropic_mesh_2::internal::Vector_of_doubles Vector;
   typedef Anisotropic_mesh_2::internal::Symmetric_form    Form;
   typedef Anisotropic_mesh_2::internal::Place             Place;
-  typedef std::vector<std::array<Vector, 3> >             Triangles;
 
-  Form tensor_at(const Vector& x) const
-  {
-    return Form(m_tensor(Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y)));
-  }
+  static Vector vector(const Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
+  static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
+
+  Form tensor_at(const Vector& x) const { return Form(m_tensor(point(x))); }
 
   Place place_at(const Vector& x) const
   {
@@ -232,14 +234,12 @@ private:
       m_regions.back().vertex = v;
       m_regions.back().generator = v->point();
       m_regions.back().is_fixed = m_mesh.is_fixed(v);
-      positions.push_back({CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())});
+      positions.push_back(vector(v->point()));
       if constexpr(Distance::is_measured_at_generators)
         tensors.push_back(Form(distance(Vertex_handle(v))));
     }
     return Anisotropic_mesh_2::internal::Generator_set(std::move(positions), std::move(tensors));
   }
-
-  static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
 
   template <class Assembler>
   static std::vector<Point_2> points(const Assembler& assembler, const std::vector<std::size_t>& line)
@@ -270,14 +270,10 @@ private:
   template <class Assembler>
   void take_tiles(const Assembler& assembler)
   {
-    m_triangles.resize(m_regions.size());
     assembler.for_each_part([&](std::size_t region, const std::vector<std::size_t>& polygon) {
-      const auto& x = assembler.points();
-      for(std::size_t i = 2; i < polygon.size(); ++i) {
-        const std::size_t p = polygon[0], q = polygon[i - 1], r = polygon[i];
-        m_triangles[region].push_back({x[p], x[q], x[r]});
-        m_regions[region].tiles.push_back({point(x[p]), point(x[q]), point(x[r])});
-      }
+      const std::vector<Point_2> p = points(assembler, polygon);
+      for(std::size_t i = 2; i < p.size(); ++i)
+        m_regions[region].tiles.push_back({p[0], p[i - 1], p[i]});
     });
   }
 
@@ -305,7 +301,6 @@ private:
   std::vector<std::size_t>                                m_region_of; // by the index of the vertex
   std::vector<Region>                                     m_regions;
   Anisotropic_mesh_2::internal::Generator_set             m_generators;
-  std::vector<Triangles>                                  m_triangles; // the tiles as doubles
   std::vector<Bisector>                                   m_bisectors;
   std::vector<std::vector<std::size_t> >                  m_neighbors;
 };
