@@ -85,7 +85,8 @@ void print_row(const Mesh& mesh, const std::vector<Region>& reference, const Sam
   std::cout << "| " << sampling.subdivisions_of_edges << " | " << sampling.steps << " | "
             << (sampling.refines_crossings ? "refined" : "raw") << " | " << std::setprecision(2) << mean << " | "
             << largest << " | " << area << " | " << std::setprecision(3)
-            << microseconds_per_vertex(internal::Visibility_energy<Mesh>(mesh, measure, sampling), mesh) << " |" << std::endl;
+            << microseconds_per_vertex(internal::Visibility_energy<Mesh>(mesh, measure, sampling), mesh) << " |"
+            << std::endl;
 }
 
 template <class Field>
@@ -104,7 +105,8 @@ void print_table(const std::string& name, double side, const Field& field)
   std::cout << "\n" << name << ", " << mesh.number_of_vertices() << " vertices; by faces: " << std::setprecision(3)
             << microseconds_per_vertex(internal::Acvt_energy<decltype(mesh)>(mesh, measure), mesh)
             << " us per vertex\n\n"
-            << "| N_D | M_D | crossings | error of mass centres, mean | largest | error of areas, mean | us per vertex |\n"
+            << "| N_D | M_D | crossings | error of mass centres, mean | largest | error of areas, mean "
+            << "| us per vertex |\n"
             << "| --- | --- | --- | --- | --- | --- | --- |" << std::endl;
   for(bool refines : {false, true})
     for(int n : {3, 5, 10, 20, 40})
