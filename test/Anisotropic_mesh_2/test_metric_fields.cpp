@@ -12,6 +12,8 @@
 #include <CGAL/Directional_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Gradient_metric_field_2.h>
+#include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Random.h>
 
@@ -64,6 +66,80 @@ void test_callables()
   CHECK_THROWS(of_struct(Point(1, -2)), Invalid, "h2 = -2, theta = 0.29999999999999999 is not positive definite at the point (1, -2)");
   auto copy = of_struct;
   CHECK(copy(Point(1, 2)) == m);
+}
+
+typedef std::array<double, 2> Gradient;
+typedef std::array<double, 3> Hessian;
+
+void test_gradient_field()
+{
+  CGAL::Random random(11);
+  const auto gradient = [](const Point& p) { return Gradient{p.x(), p.y()}; };
+  const double alpha = 0.04, e = 0.5;
+  const auto field = CGAL::make_gradient_metric_field_2<Kernel>(gradient, alpha, e);
+  const auto square_norm = CGAL::make_gradient_metric_field_2<Kernel>(gradient, alpha, e, 2);
+  for(int i = 0; i < 100; ++i) {
+    const double x = random.get_double(-3, 3), y = random.get_double(-3, 3);
+    const Tensor m = Tensor::from_entries(alpha + x*x, x*y, alpha + y*y);
+    CHECK(are_close(field(Point(x, y)), m.scaled(e), 1e-13));
+    // the Riemannian energy of one is the Lebesgue energy of the other
+    const Tensor n = square_norm(Point(x, y));
+    CHECK(are_close(n.scaled(1 / std::sqrt(n.area_density())), m.scaled(e*e), 1e-13));
+  }
+  CHECK(are_close(field(Point(0, 0)), Tensor::from_size(2.5), 1e-14));
+  CHECK(std::abs(field(Point(1e5, -1e5)).sizes().h2 / 2.5 - 1) < 1e-3);
+  CHECK(field(Point(1e10, 1e9)).sizes().h1 < 1e-10); // rounding does not make it indefinite
+  CHECK_THROWS(field(Point(1e200, 3)), Invalid, "is not positive definite at the point (9.9999999999999997e+199, 3)");
+  const auto nan = CGAL::make_gradient_metric_field_2<Kernel>(
+    [](const Point&) { return std::make_tuple(std::numeric_limits<double>::quiet_NaN(), 0.f); }, alpha, e);
+  CHECK_THROWS(nan(Point(1, 2)), Invalid, "at the point (1, 2)");
+}
+
+Hessian symmetric(double first, double second, double angle)
+{
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {first*c*c + second*s*s, (first - second)*c*s, first*s*s + second*c*c};
+}
+
+Tensor tensor_of(const Hessian& h) { return Tensor::from_entries(h[0], h[1], h[2]); }
+
+// The tensor of the Hessian with these eigenvalues, for sizes between 0.01 and 10.
+Tensor hessian_tensor(double first, double second, double angle, double e, double norm)
+{
+  return CGAL::make_hessian_metric_field_2<Kernel>(
+    [=](const Point&) { return symmetric(first, second, angle); }, e, 0.01, 10, norm)(Point(1, 2));
+}
+
+void test_hessian_field()
+{
+  CGAL::Random random(12);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(int i = 0; i < 100; ++i) {
+    const double first = random.get_double(1, 10) * (random.get_bool() ? 1 : -1);
+    const double second = random.get_double(1, 10) * (random.get_bool() ? 1 : -1);
+    const double angle = random.get_double(-3, 3), det = std::abs(first * second);
+    const Tensor absolute = tensor_of(symmetric(std::abs(first), std::abs(second), angle));
+    CHECK(are_close(hessian_tensor(first, second, angle, 0.3, infinity), absolute.scaled(std::sqrt(0.3)), 1e-12));
+    CHECK(are_close(hessian_tensor(first, second, angle, 0.3, 2),
+                    absolute.scaled(std::sqrt(0.3 * std::pow(det, 1./6))), 1e-12));
+  }
+}
+
+void test_bounds_of_hessian_field()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(hessian_tensor(0, 0, 0, 1, 2) == Tensor::from_size(10));
+  CHECK(are_close(hessian_tensor(4, 0, 0.3, 1, infinity), Tensor::from_sizes(0.5, 10, 0.3), 1e-12));
+  CHECK(are_close(hessian_tensor(0, -4, 0.3, 1, infinity), Tensor::from_sizes(10, 0.5, 0.3), 1e-12));
+  CHECK(are_close(hessian_tensor(1e9, 1e9, 0.3, 1, infinity), Tensor::from_size(0.01), 1e-12));
+  CHECK(are_close(hessian_tensor(1e-9, 1e-9, 0, 1, infinity), Tensor::from_size(10), 1e-12));
+  const Tensor::Sizes sizes = hessian_tensor(4, 0, 0.3, 1, 2).sizes(); // the determinant is that of the ratio of bounds
+  CHECK(std::abs(sizes.h1 / (0.5 * std::pow(16e-6, 1./12)) - 1) < 1e-9 && sizes.h2 <= 10 + 1e-9);
+  CHECK_THROWS(hessian_tensor(infinity, 1, 0.3, 1, 2), Invalid, "is not finite at the point (1, 2)");
+  const auto off_diagonal = CGAL::make_hessian_metric_field_2<Kernel>(
+    [=](const Point&) { return Hessian{0, infinity, 0}; }, 1, 1, 1);
+  CHECK_THROWS(off_diagonal(Point(3, 4)), Invalid,
+               "the Hessian with the entries 0, inf, 0 is not finite at the point (3, 4)");
 }
 
 // a jittered grid over [0,n]^2 whose triangles are oriented at random
@@ -245,6 +321,9 @@ void test_threads()
 int main()
 {
   test_callables();
+  test_gradient_field();
+  test_hessian_field();
+  test_bounds_of_hessian_field();
   test_discrete_field();
   test_interpolation();
   test_extreme_coordinates();

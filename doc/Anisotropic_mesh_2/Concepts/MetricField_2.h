@@ -20,6 +20,8 @@
 /// \cgalHasModels{CGAL::Isotropic_metric_field_2<K, Size>}
 /// \cgalHasModels{CGAL::Directional_metric_field_2<K, Sizes>}
 /// \cgalHasModels{CGAL::Discrete_metric_field_2<K>}
+/// \cgalHasModels{CGAL::Gradient_metric_field_2<K, Gradient>}
+/// \cgalHasModels{CGAL::Hessian_metric_field_2<K, Hessian>}
 /// \cgalHasModelsEnd
 class MetricField_2
 {
