@@ -34,6 +34,8 @@
 #include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
+#include <CGAL/piecewise_constant_approximation_error_2.h>
+#include <CGAL/piecewise_linear_approximation_error_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
 #include <CGAL/Constrained_triangulation_2.h>
@@ -41,6 +43,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -262,6 +265,33 @@ void test_visibility_regions(const Mesh& mesh)
   CHECK(corners > 30 * mesh.number_of_faces_in_domain() - 1);
 }
 
+// the faces as regions that have their first vertices as generators
+template <class Mesh>
+struct Faces_as_regions
+{
+  struct Region { Point_archetype generator; std::vector<std::array<Point_archetype, 3> > tiles; };
+
+  explicit Faces_as_regions(const Mesh& mesh)
+  {
+    for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
+      if(f->is_in_domain())
+        regions.push_back({f->vertex(0)->point(), {{f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()}}});
+  }
+
+  std::size_t number_of_regions() const { return regions.size(); }
+  Region region(std::size_t i) const { return regions[i]; }
+
+  std::vector<Region> regions;
+};
+
+template <class Mesh>
+void test_approximation_errors(const Mesh& mesh)
+{
+  const auto f = [](const Point_archetype& p) { return p.x() * p.x(); };
+  CHECK(CGAL::piecewise_linear_approximation_error_2(mesh, f).l2 > 0);
+  CHECK(CGAL::piecewise_constant_approximation_error_2(Faces_as_regions<Mesh>(mesh), f).l2 > 0);
+}
+
 // a mesh, or any constrained triangulation of CGAL whose faces tell whether they are in the domain
 template <class Tr>
 void test_writers(const Tr& tr)
@@ -330,8 +360,8 @@ void test_mesh(CGAL::Anisotropic_mesh_2::Point_placement placement)
   CHECK(is_mesh_of_square(mesh));
   test_statistics(mesh);
   test_voronoi_diagram(mesh);
-  test_voronoi_diagram(mesh);
   test_visibility_regions(mesh);
+  test_approximation_errors(mesh);
   test_writers(mesh);
   test_metric_writer(mesh);
 }

@@ -20,6 +20,8 @@
 #include <CGAL/Curve_piece_2.h>
 #include <CGAL/Directional_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
+#include <CGAL/Gradient_metric_field_2.h>
+#include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
@@ -30,6 +32,7 @@
 #include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
+#include <CGAL/piecewise_linear_approximation_error_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 
@@ -97,6 +100,7 @@ void test_mesh(const Domain& domain, const Field& field)
     const Point centre = CGAL::anisotropic_mass_centre_2(mesh, v, CGAL::Anisotropic_mesh_2::Measure::LEBESGUE);
     CHECK(CGAL::to_double(v->metric_tensor().squared_length(centre - v->point())) < 2);
   }
+  CHECK(CGAL::piecewise_linear_approximation_error_2(mesh, [](const Point& p) { return p.x() * p.x(); }).l2 > 0);
   std::ostringstream os;
   CGAL::IO::write_SVG(os, mesh);
   CGAL::IO::write_SVG(os, diagram);
@@ -111,6 +115,12 @@ void test_fields()
   test_mesh(domain(), CGAL::make_directional_metric_field_2<K>([](const Point& p) {
     return std::array<double, 3>{0.5, 0.5 + CGAL::to_double(p.y()) / 8, 0.5};
   }));
+  const auto gradient = CGAL::make_gradient_metric_field_2<K>(
+    [](const Point& p) { return std::array<FT, 2>{p.x(), p.y()}; }, 1, 0.5);
+  const auto hessian = CGAL::make_hessian_metric_field_2<K>(
+    [](const Point& p) { return std::array<FT, 3>{p.x(), FT(0), p.y()}; }, 0.5, 0.1, 2);
+  CHECK(std::abs(CGAL::to_double(gradient(Point(1, 2)).m12()) - 8) < 1e-12);
+  CHECK(std::abs(CGAL::to_double(hessian(Point(1, 2)).m22()) - 4) < 1e-12);
 }
 
 // a square as two triangles

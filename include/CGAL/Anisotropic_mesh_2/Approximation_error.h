@@ -1,0 +1,25 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_APPROXIMATION_ERROR_H
+#define CGAL_ANISOTROPIC_MESH_2_APPROXIMATION_ERROR_H
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// how far an approximation is from a function, in units of its values.
+struct Approximation_error
+{
+  double l2 = 0;      ///< the root of the integral of the squared difference
+  double largest = 0; ///< the largest absolute difference at the points where the function was sampled
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_APPROXIMATION_ERROR_H
