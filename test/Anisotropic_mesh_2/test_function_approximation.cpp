@@ -239,7 +239,7 @@ void test_bound()
     const double error = CGAL::piecewise_constant_approximation_error_2(cells(mesh), layer).l2;
     const double bound = e*e * CGAL::anisotropic_mesh_statistics_2(mesh, Measure::LEBESGUE).energy;
     const double ratio = error * error / bound;
-    std::cout << mesh.number_of_vertices() << " vertices: the squared error is " << ratio << " of its bound" << std::endl;
+    std::cout << mesh.number_of_vertices() << " vertices: squared error over its bound: " << ratio << std::endl;
     CHECK_MSG(ratio > 0.3 && ratio < 1, std::to_string(ratio));
   }
 }
@@ -247,8 +247,10 @@ void test_bound()
 // the error of adapted generators or vertices against that of at least as many uniform ones
 void test_gain()
 {
-  const Mesh generators = optimized(CGAL::make_gradient_metric_field_2<K>(gradient_of_layer, 0.1, 0.1, 2), Measure::RIEMANNIAN);
-  const Mesh vertices = optimized(CGAL::make_hessian_metric_field_2<K>(hessian_of_layer, 0.02, 1e-3, 0.5, 2), Measure::RIEMANNIAN);
+  const Mesh generators = optimized(CGAL::make_gradient_metric_field_2<K>(gradient_of_layer, 0.1, 0.1, 2),
+                                    Measure::RIEMANNIAN);
+  const Mesh vertices = optimized(CGAL::make_hessian_metric_field_2<K>(hessian_of_layer, 0.02, 1e-3, 0.5, 2),
+                                  Measure::RIEMANNIAN);
   const std::size_t n = std::max(generators.number_of_vertices(), vertices.number_of_vertices());
   const double h = 1 / std::sqrt(n * std::sqrt(0.75));
   const Mesh uniform = optimized([h](const Point&) { return Tensor::from_size(h); }, Measure::RIEMANNIAN);
