@@ -9,11 +9,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/svg.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Gradient_metric_field_2.h>
 #include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/piecewise_constant_approximation_error_2.h>
 #include <CGAL/piecewise_linear_approximation_error_2.h>
@@ -24,7 +24,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <utility>
 #include <vector>
 
 using K     = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -118,40 +117,11 @@ auto uniform_mesh(std::size_t n)
   });
 }
 
-// The cells of a mesh with the interface of a diagram: each is a fan of
-// triangles around its generator.
-class Fans
-{
-public:
-  struct Region
-  {
-    Point generator;
-    std::vector<std::array<Point, 3> > tiles;
-  };
-
-  template <class Mesh>
-  explicit Fans(const Mesh& mesh)
-  {
-    for(const auto& cell : CGAL::anisotropic_voronoi_cells_2(mesh)) {
-      Region region{cell.generator, {}};
-      for(const auto& polygon : cell.polygons)
-        for(std::size_t i = 0; i < polygon.size(); ++i)
-          region.tiles.push_back({cell.generator, polygon[i], polygon[(i + 1) % polygon.size()]});
-      m_regions.push_back(std::move(region));
-    }
-  }
-
-  std::size_t number_of_regions() const { return m_regions.size(); }
-  const Region& region(std::size_t i) const { return m_regions[i]; }
-
-private:
-  std::vector<Region> m_regions;
-};
-
 template <class Mesh>
 double constant_error(const Mesh& mesh, Function f)
 {
-  return CGAL::piecewise_constant_approximation_error_2(Fans(mesh), [f](const Point& p) { return value(f, p); }).l2;
+  const CGAL::Anisotropic_Voronoi_diagram_2<Mesh> diagram(mesh, {}, 1e-3);
+  return CGAL::piecewise_constant_approximation_error_2(diagram, [f](const Point& p) { return value(f, p); }).l2;
 }
 
 template <class Mesh>
@@ -164,7 +134,7 @@ template <class Mesh>
 void draw(const std::string& name, const Mesh& mesh)
 {
   CGAL::IO::write_SVG(name + ".svg", mesh);
-  CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::anisotropic_voronoi_cells_2(mesh));
+  CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3));
 }
 
 void print(std::size_t uniform, std::size_t adapted, double uniform_error, double adapted_error)

@@ -16,7 +16,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Adaptive_triangle_integral.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/anisotropic_voronoi_cells_2.h>
+#include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/piecewise_constant_approximation_error_2.h>
 #include <CGAL/piecewise_linear_approximation_error_2.h>
 
@@ -155,17 +155,10 @@ Diagram squares(int n)
   return diagram;
 }
 
-// the cells of a mesh, each as a fan around its generator
-Diagram cells(const Mesh& mesh)
+template <class Mesh>
+CGAL::Anisotropic_Voronoi_diagram_2<Mesh> regions(const Mesh& mesh)
 {
-  Diagram diagram;
-  for(const auto& cell : CGAL::anisotropic_voronoi_cells_2(mesh)) {
-    diagram.regions.push_back({cell.generator, {}});
-    for(const auto& polygon : cell.polygons)
-      for(std::size_t i = 0; i < polygon.size(); ++i)
-        diagram.regions.back().tiles.push_back({cell.generator, polygon[i], polygon[(i + 1) % polygon.size()]});
-  }
-  return diagram;
+  return CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3);
 }
 
 void test_constant_in_closed_form()
@@ -236,7 +229,7 @@ void test_bound()
 {
   for(double e : {0.2, 0.1, 0.05}) {
     const Mesh mesh = optimized(CGAL::make_gradient_metric_field_2<K>(gradient_of_layer, 0.1, e), Measure::LEBESGUE);
-    const double error = CGAL::piecewise_constant_approximation_error_2(cells(mesh), layer).l2;
+    const double error = CGAL::piecewise_constant_approximation_error_2(regions(mesh), layer).l2;
     const double bound = e*e * CGAL::anisotropic_mesh_statistics_2(mesh, Measure::LEBESGUE).energy;
     const double ratio = error * error / bound;
     std::cout << mesh.number_of_vertices() << " vertices: squared error over its bound: " << ratio << std::endl;
@@ -255,8 +248,8 @@ void test_gain()
   const double h = 1 / std::sqrt(n * std::sqrt(0.75));
   const Mesh uniform = optimized([h](const Point&) { return Tensor::from_size(h); }, Measure::RIEMANNIAN);
   CHECK(uniform.number_of_vertices() >= n);
-  const double constant_gain = CGAL::piecewise_constant_approximation_error_2(cells(uniform), layer).l2
-                             / CGAL::piecewise_constant_approximation_error_2(cells(generators), layer).l2;
+  const double constant_gain = CGAL::piecewise_constant_approximation_error_2(regions(uniform), layer).l2
+                             / CGAL::piecewise_constant_approximation_error_2(regions(generators), layer).l2;
   const double linear_gain = CGAL::piecewise_linear_approximation_error_2(uniform, layer).l2
                            / CGAL::piecewise_linear_approximation_error_2(vertices, layer).l2;
   std::cout << generators.number_of_vertices() << " generators: " << constant_gain << " times better; "
