@@ -89,7 +89,7 @@ public:
   }
 
   // Appends to `curve` the inner points of a polygonal line along the bisector
-  // of i and j; fails where it leaves the place where `contains` holds.
+  // of i and j; fails where it leaves the place where `contains` holds, or is far from the line.
   template <class Contains>
   bool trace(const Place& from, const Place& to, std::size_t i, std::size_t j, const Contains& contains,
              Vectors& curve) const
@@ -106,13 +106,15 @@ private:
   {
     const Place middle = m_place_at({(from.x + to.x) / 2, (from.y + to.y) / 2});
     Place p = middle;
-    const bool is_on_bisector = project(p, i, j, {to.x - from.x, to.y - from.y}, contains);
-    const double moved = std::sqrt(m_generators.tensor(middle, i)(p.at.x - middle.at.x, p.at.y - middle.at.y)
-                                   / m_generators.squared_distance(middle, i));
+    const Vector_of_doubles chord = {to.x - from.x, to.y - from.y};
+    const bool is_on_bisector = project(p, i, j, chord, contains);
+    const Symmetric_form& m = m_generators.tensor(middle, i);
+    const double length = m.length(p.at.x - middle.at.x, p.at.y - middle.at.y);
+    const double moved = length / std::sqrt(m_generators.squared_distance(middle, i));
     // a half of a curve is four times as near to its chord as the whole
     if(moved <= m_tolerance / 4)
       return true;
-    if(!is_on_bisector)
+    if(!is_on_bisector || length > m.length(chord.x, chord.y))
       return false;
     if(moved <= m_tolerance || depth == 0) {
       curve.push_back(p.at);

@@ -101,12 +101,12 @@ private:
   // narrower, which faces become whose neighbors are bisected again and again.
   bool is_small(const Divided_face& d) const
   {
-    double longest = 0, distance = 0, determinant = 0, length = 0, size = 0;
+    const double distance = m_generators.squared_distance(m_middle, m_generators.nearest(m_middle, d.label[0]));
+    double longest = 0, determinant = 0, length = 0, size = 0;
     for(int k = 0; k < 3; ++k) {
       const Vector_of_doubles &p = m_corner[k]->at, &q = m_corner[(k + 1) % 3]->at;
       const Symmetric_form& m = m_generators.tensor(m_middle, d.label[k]);
       longest = std::max(longest, m(q.x - p.x, q.y - p.y));
-      distance = std::max(distance, m_generators.squared_distance(m_middle, d.label[k]));
       determinant = std::max(determinant, m.determinant());
       length = std::max(length, std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)));
       size = std::max(size, std::max(std::abs(p.x), std::abs(p.y)));

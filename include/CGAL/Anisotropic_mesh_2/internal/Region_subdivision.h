@@ -55,8 +55,8 @@ public:
 // The domain of a mesh, its faces bisected until each one lies in the regions
 // of at most three generators in a way that the metric within it cannot upset.
 //
-// Faces are bisected at their longest edge, together with the face beyond it,
-// so that no face has a vertex within an edge.
+// Edges are bisected that are the longest of both their faces, so that no face
+// has a vertex within an edge and faces do not become needles.
 template <class Mesh, class Place_at>
 class Region_subdivision
 {
@@ -142,9 +142,11 @@ private:
       pending.pop_front();
       if(!f->is_pending)
         continue;
-      f->is_pending = false;
-      if(!examine(f))
-        cut(longest_edge(f), pending);
+      f->is_pending = !examine(f);
+      if(f->is_pending) {
+        cut(last_edge_of_path(f), pending);
+        pending.push_back(f);
+      }
     }
   }
 
@@ -165,38 +167,49 @@ private:
     return true;
   }
 
+  // From the longest edge of the face on to the longest one of the face beyond,
+  // until an edge is the longest one of both its faces.
+  Edge last_edge_of_path(Face_handle f) const
+  {
+    Edge e = longest_edge(f);
+    for(;;) {
+      const Edge mirror = m_tds.mirror_edge(e);
+      if(!mirror.first->is_in_domain || longest_edge(mirror.first) == mirror)
+        return e;
+      e = longest_edge(mirror.first);
+    }
+  }
+
+  // The order is total, and the same from both sides of the edges: so paths end.
   Edge longest_edge(Face_handle f) const
   {
+    typedef std::pair<double, std::pair<std::size_t, std::size_t> > Rank;
+    Rank greatest;
     int longest = 0;
-    for(int i = 1; i < 3; ++i)
-      if(is_shorter(Edge(f, longest), Edge(f, i)))
+    for(int i = 0; i < 3; ++i) {
+      const auto uv = ends(Edge(f, i));
+      const Rank rank(length(uv.first->corner.place, uv.second->corner.place), {uv.first->id, uv.second->id});
+      if(i == 0 || greatest < rank) {
+        greatest = rank;
         longest = i;
+      }
+    }
     return Edge(f, longest);
   }
 
-  bool is_shorter(const Edge& e, const Edge& f) const
+  // Simpson's rule: a part of an edge must not be longer than the whole, or
+  // paths would go round among edges that nearly coincide.
+  double length(const Place& p, const Place& q) const
   {
-    const double le = squared_length(e), lf = squared_length(f);
-    return le != lf ? le < lf : ids(e) < ids(f);
+    const double x = q.at.x - p.at.x, y = q.at.y - p.at.y;
+    const Place middle = m_place_at({p.at.x + x / 2, p.at.y + y / 2});
+    return (p.m.length(x, y) + 4 * middle.m.length(x, y) + q.m.length(x, y)) / 6;
   }
 
   static std::pair<Vertex_handle, Vertex_handle> ends(const Edge& e)
   {
     const Vertex_handle u = e.first->vertex(Tds::ccw(e.second)), v = e.first->vertex(Tds::cw(e.second));
     return u->id < v->id ? std::make_pair(u, v) : std::make_pair(v, u);
-  }
-
-  static std::pair<std::size_t, std::size_t> ids(const Edge& e)
-  {
-    const auto uv = ends(e);
-    return std::make_pair(uv.first->id, uv.second->id);
-  }
-
-  double squared_length(const Edge& e) const
-  {
-    const auto uv = ends(e);
-    const Place &p = uv.first->corner.place, &q = uv.second->corner.place;
-    return (p.m + q.m)(p.at.x - q.at.x, p.at.y - q.at.y);
   }
 
   void cut(const Edge& e, std::deque<Face_handle>& pending)
