@@ -97,28 +97,18 @@ private:
     }
   }
 
-  // Whether the face is as small as the tolerance, or a needle a good deal
-  // narrower, which faces become whose neighbors are bisected again and again.
+  // whether the face is as small as the tolerance
   bool is_small(const Divided_face& d) const
   {
     const double distance = m_generators.squared_distance(m_middle, m_generators.nearest(m_middle, d.label[0]));
-    double longest = 0, determinant = 0, length = 0, size = 0;
+    double longest = 0, length = 0, size = 0;
     for(int k = 0; k < 3; ++k) {
       const Vector_of_doubles &p = m_corner[k]->at, &q = m_corner[(k + 1) % 3]->at;
-      const Symmetric_form& m = m_generators.tensor(m_middle, d.label[k]);
-      longest = std::max(longest, m(q.x - p.x, q.y - p.y));
-      determinant = std::max(determinant, m.determinant());
+      longest = std::max(longest, m_generators.tensor(m_middle, d.label[k])(q.x - p.x, q.y - p.y));
       length = std::max(length, std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)));
       size = std::max(size, std::max(std::abs(p.x), std::abs(p.y)));
     }
-    const double limit = m_tolerance * m_tolerance * distance, area = doubled_area();
-    return longest <= limit || area * area * determinant <= 1e-4 * limit * longest || length <= 1e-13 * size;
-  }
-
-  double doubled_area() const
-  {
-    const Vector_of_doubles &p = m_corner[0]->at, &q = m_corner[1]->at, &r = m_corner[2]->at;
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    return longest <= m_tolerance * m_tolerance * distance || length <= 1e-13 * size;
   }
 
   // whether only the generators of their ends are nearest on the edges' crossings

@@ -71,7 +71,7 @@ public:
   Region_subdivision(const Mesh& mesh, const Generator_set& generators, const std::vector<std::size_t>& region_of,
                      const Place_at& place_at, double tolerance)
     : m_generators(generators), m_place_at(place_at), m_divider(generators, place_at, tolerance),
-      m_maximum_number_of_vertices(1000000 + 1000 * generators.size())
+      m_maximum_number_of_vertices(200000 + 200 * generators.size())
   {
     copy(mesh, region_of);
     examine_all();
@@ -168,16 +168,21 @@ private:
   }
 
   // From the longest edge of the face on to the longest one of the face beyond,
-  // until an edge is the longest one of both its faces.
+  // until an edge is the longest one of both its faces, or for a number of
+  // steps that only needles in the metric need.
   Edge last_edge_of_path(Face_handle f) const
   {
     Edge e = longest_edge(f);
-    for(;;) {
+    for(int step = 0; step < 20; ++step) {
       const Edge mirror = m_tds.mirror_edge(e);
-      if(!mirror.first->is_in_domain || longest_edge(mirror.first) == mirror)
-        return e;
-      e = longest_edge(mirror.first);
+      if(!mirror.first->is_in_domain)
+        break;
+      const Edge next = longest_edge(mirror.first);
+      if(next == mirror)
+        break;
+      e = next;
     }
+    return e;
   }
 
   // The order is total, and the same from both sides of the edges: so paths end.
