@@ -48,9 +48,10 @@ public:
     if(middle == 0) // as between two generators
       return m_place_at(at(0.5));
     std::uintmax_t steps = 60;
+    const boost::math::tools::eps_tolerance<double> is_narrow(50);
     const auto bracket = middle < 0
-      ? boost::math::tools::toms748_solve(excess, 0.5, 1., middle, at_q, boost::math::tools::eps_tolerance<double>(50), steps)
-      : boost::math::tools::toms748_solve(excess, 0., 0.5, at_p, middle, boost::math::tools::eps_tolerance<double>(50), steps);
+      ? boost::math::tools::toms748_solve(excess, 0.5, 1., middle, at_q, is_narrow, steps)
+      : boost::math::tools::toms748_solve(excess, 0., 0.5, at_p, middle, is_narrow, steps);
     return m_place_at(at((bracket.first + bracket.second) / 2));
   }
 

@@ -154,7 +154,8 @@ private:
       least = std::min(least, m(x, std::min(y1, std::max(y0, -m.b*x / m.c))));
     for(double y : {y0, y1})
       least = std::min(least, m(std::min(x1, std::max(x0, -m.b*y / m.a)), y));
-    return least * (1 - 1e-9); // rounding must not hide a generator
+    // rounding must not hide a generator, whose terms may cancel
+    return least * (1 - 1e-9) - 1e-14 * (m.a * std::max(x0*x0, x1*x1) + m.c * std::max(y0*y0, y1*y1));
   }
 
   double squared_distance_to_box(const Place& p, const Node& n) const

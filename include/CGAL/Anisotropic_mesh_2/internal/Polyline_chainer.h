@@ -82,7 +82,8 @@ private:
   {
     double least = 7;
     bool is_found = false;
-    for(auto l = std::lower_bound(m_links.begin(), m_links.end(), Link{at, 0}); l != m_links.end() && l->from == at; ++l) {
+    auto l = std::lower_bound(m_links.begin(), m_links.end(), Link{at, 0});
+    for(; l != m_links.end() && l->from == at; ++l) {
       const std::size_t k = static_cast<std::size_t>(l - m_links.begin());
       if(m_is_used[k])
         continue;

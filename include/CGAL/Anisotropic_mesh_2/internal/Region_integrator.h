@@ -141,7 +141,8 @@ private:
   }
 
   // a sample with its weights in both rules
-  void add(Part& p, const Vector_of_doubles& generator, double l0, double l1, double l2, double weight, double other) const
+  void add(Part& p, const Vector_of_doubles& generator, double l0, double l1, double l2,
+           double weight, double other) const
   {
     const Triangle& t = p.triangle;
     const Vector_of_doubles x = {l0*t[0].x + l1*t[1].x + l2*t[2].x, l0*t[0].y + l1*t[1].y + l2*t[2].y};
