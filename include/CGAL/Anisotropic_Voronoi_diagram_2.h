@@ -12,14 +12,15 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Region_assembler.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_integrator.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Region_integrals_2.h>
-#include <CGAL/Anisotropic_mesh_2/Voronoi_distance_2.h>
+#include <CGAL/Anisotropic_mesh_2/Voronoi_bisector_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_duality_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_region_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -124,13 +125,13 @@ public:
   std::size_t nearest_generator(const Point_2& p) const
   {
     CGAL_precondition(m_generators.size() > 0);
-    return m_generators.nearest(place_at(vector(p)));
+    return m_generators.nearest(place_at(Anisotropic_mesh_2::internal::to_doubles(p)));
   }
 
   /// the squared distance from `p` to the generator of region `i`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
-    return m_generators.squared_distance(place_at(vector(p)), i);
+    return m_generators.squared_distance(place_at(Anisotropic_mesh_2::internal::to_doubles(p)), i);
   }
   /// @}
 
@@ -147,16 +148,16 @@ public:
                       Anisotropic_mesh_2::Measure measure = Anisotropic_mesh_2::Measure::RIEMANNIAN,
                       double tolerance = 1e-4) const
   {
-    double error;
-    const Anisotropic_mesh_2::internal::Region_sum sum = integrate(i, measure, tolerance, error);
+    Integrals result;
+    const auto sum = integrate(i, measure, tolerance, result.mass_centre_error);
     const Vector& z = m_generators.position(i);
     Vector pull;
     sum.moments.pull(pull.x, pull.y);
-    Integrals result;
     result.mass_centre = point({z.x + pull.x, z.y + pull.y});
-    result.mass_centre_error = error;
     result.area = sum.mass;
     result.energy = sum.energy;
+    result.matrix = {sum.moments.a.a, sum.moments.a.b, sum.moments.a.c};
+    result.energy_gradient = {-2 * sum.moments.gx, -2 * sum.moments.gy};
     return result;
   }
 
@@ -184,8 +185,20 @@ public:
   }
   /// @}
 
-#ifndef DOXYGEN_RUNNING
-  // the sums that `integrals()` comes from
+private:
+  typedef Anisotropic_mesh_2::internal::Vector_of_doubles Vector;
+  typedef Anisotropic_mesh_2::internal::Symmetric_form    Form;
+  typedef Anisotropic_mesh_2::internal::Place             Place;
+
+  static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
+
+  Form tensor_at(const Vector& x) const { return Form(m_tensor(point(x))); }
+
+  Place place_at(const Vector& x) const
+  {
+    return {x, m_generators.is_measured_at_generators() ? Form(1, 0, 1) : tensor_at(x)};
+  }
+
   Anisotropic_mesh_2::internal::Region_sum integrate(std::size_t i, Anisotropic_mesh_2::Measure measure,
                                                      double tolerance, double& error) const
   {
@@ -196,27 +209,12 @@ public:
       w = is_riemannian ? std::sqrt(m.determinant()) : 1;
       m = m_generators.tensor({x, m}, i);
     };
-    std::vector<std::array<Vector, 3> > triangles;
+    using Anisotropic_mesh_2::internal::to_doubles;
+    std::vector<Anisotropic_mesh_2::internal::Triangle_of_doubles> triangles;
     for(const typename Region::Tile& t : m_regions[i].tiles)
-      triangles.push_back({vector(t[0]), vector(t[1]), vector(t[2])});
+      triangles.push_back({to_doubles(t[0]), to_doubles(t[1]), to_doubles(t[2])});
     const Anisotropic_mesh_2::internal::Region_integrator<decltype(density)> integrator(density, tolerance);
     return integrator(triangles, m_generators.position(i), error);
-  }
-#endif
-
-private:
-  typedef Anisotropic_mesh_2::internal::Vector_of_doubles Vector;
-  typedef Anisotropic_mesh_2::internal::Symmetric_form    Form;
-  typedef Anisotropic_mesh_2::internal::Place             Place;
-
-  static Vector vector(const Point_2& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
-  static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
-
-  Form tensor_at(const Vector& x) const { return Form(m_tensor(point(x))); }
-
-  Place place_at(const Vector& x) const
-  {
-    return {x, m_generators.is_measured_at_generators() ? Form(1, 0, 1) : tensor_at(x)};
   }
 
   Anisotropic_mesh_2::internal::Generator_set collect_generators(const Distance& distance)
@@ -236,7 +234,7 @@ private:
       m_regions.back().vertex = v;
       m_regions.back().generator = v->point();
       m_regions.back().is_fixed = m_mesh.is_fixed(v);
-      positions.push_back(vector(v->point()));
+      positions.push_back(Anisotropic_mesh_2::internal::to_doubles(v->point()));
       if constexpr(Distance::is_measured_at_generators)
         tensors.push_back(Form(distance(Vertex_handle(v))));
     }

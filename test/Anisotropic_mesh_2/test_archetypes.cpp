@@ -31,6 +31,7 @@
 #include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
+#include <CGAL/Anisotropic_mesh_2/Labelle_Shewchuk_distance_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>

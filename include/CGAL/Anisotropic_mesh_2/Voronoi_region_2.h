@@ -7,27 +7,14 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H
 #define CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H
 
+#include <CGAL/Anisotropic_mesh_2/Voronoi_piece_2.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
-
-/// \ingroup PkgAnisotropicMesh2Classes
-///
-/// a connected part of the region of a generator.
-///
-/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
-template <class K>
-struct Voronoi_piece_2
-{
-  typedef std::vector<typename K::Point_2> Polygon;
-
-  bool                  is_main = false; ///< whether it contains the generator; else it is an orphan
-  double                area = 0;        ///< the Euclidean area
-  std::vector<Polygon>  boundaries;      ///< the outer ones counterclockwise, those of holes clockwise
-};
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -59,20 +46,6 @@ struct Voronoi_region_2
       n += !p.is_main;
     return n;
   }
-};
-
-/// \ingroup PkgAnisotropicMesh2Classes
-///
-/// a curve along which the regions of two generators meet, as a polygonal line.
-///
-/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
-template <class K>
-struct Voronoi_bisector_2
-{
-  std::array<std::size_t, 2>            regions;  ///< the one on the left and the one on the right
-  bool                                  is_between_main_pieces;
-  bool                                  is_closed;
-  std::vector<typename K::Point_2>      points;
 };
 
 } // namespace Anisotropic_mesh_2

@@ -15,6 +15,8 @@
 #include "Random_numbers.h"
 
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
+#include <CGAL/Anisotropic_mesh_2/Labelle_Shewchuk_distance_2.h>
+#include <CGAL/Anisotropic_mesh_2/Multiplicative_weight_distance_2.h>
 
 #include <algorithm>
 #include <array>
@@ -170,6 +172,14 @@ inline Field constant_field(double a, double b, double c)
 
 // the third metric of figure 2.2
 inline Tensor thin_in_the_middle(const Point& p) { return Tensor::from_entries(7 - 6.3*std::abs(p.x()), 0, 1); }
+
+// The centre has an orphan at the left border that reaches neither a corner of
+// a face nor the bisector of the two corners of the square there.
+inline Tensor thin_at_the_border(const Point& p)
+{
+  const double y = (p.y() - 0.3) / 0.3;
+  return Tensor::from_entries(p.x() < 0 ? 7 - 6.9 * std::exp(-y*y) : 7, 0, 1);
+}
 
 inline Tensor turning(const Point& p) { return Tensor::from_sizes(0.2, 1, 2*p.x() + p.y()); }
 

@@ -63,11 +63,6 @@ private:
       m_vertex_tensors[v->index()] = Weighted_tensor(Symmetric_form(v->metric_tensor()), m_is_riemannian);
   }
 
-  static Vector_of_doubles position(Vertex_handle v)
-  {
-    return {CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())};
-  }
-
   Weighted_tensor tensor_at(const Vector_of_doubles& x) const
   {
     return Weighted_tensor(Symmetric_form(m_tensor(point_at<Point>(x.x, x.y))), m_is_riemannian);
@@ -79,7 +74,7 @@ private:
     std::array<Region_moments*, 3> of_corners;
     for(int i = 0; i < 3; ++i) {
       const Vertex_handle v = f->vertex(i);
-      e.corner[i] = position(v);
+      e.corner[i] = to_doubles(v->point());
       e.tensor[i] = m_vertex_tensors[v->index()];
       of_corners[i] = &moments[v->index()];
     }
@@ -102,8 +97,8 @@ private:
       const Edge e = m_mesh.mirror_edge(Edge(f, i));
       if(!e.first->is_in_domain())
         continue;
-      const Vector_of_doubles p = position(f->vertex(Mesh::ccw(i))), q = position(f->vertex(Mesh::cw(i)));
-      const Vector_of_doubles o = position(e.first->vertex(e.second));
+      const Vector_of_doubles p = to_doubles(f->vertex(Mesh::ccw(i))->point()), q = to_doubles(f->vertex(Mesh::cw(i))->point());
+      const Vector_of_doubles o = to_doubles(e.first->vertex(e.second)->point());
       if(m(p.x - o.x, p.y - o.y, q.x - o.x, q.y - o.y) < 0)
         return true;
     }
@@ -169,7 +164,7 @@ private:
     for(const auto& g : generators)
       if(g.moments == m)
         return;
-    generators.push_back({position(v), m, {}});
+    generators.push_back({to_doubles(v->point()), m, {}});
   }
 
   const Mesh& m_mesh;

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_ADAPTIVE_TRIANGLE_INTEGRAL_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_ADAPTIVE_TRIANGLE_INTEGRAL_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Triangle_of_doubles.h>
 
 #include <array>
 #include <cmath>
@@ -25,7 +25,7 @@ template <class Density>
 class Adaptive_triangle_integral
 {
 public:
-  typedef std::array<Vector_of_doubles, 3> Triangle;
+  typedef Triangle_of_doubles Triangle;
 
   Adaptive_triangle_integral(const Density& density, double relative_tolerance, std::size_t maximum_quarterings,
                              int maximum_depth = 24, double negligible_density = 0)
@@ -38,11 +38,10 @@ public:
   // without quartering; exact for polynomials of degree five
   double rule(const Triangle& t) const
   {
-    static const double r = std::sqrt(15.);
-    const double outer = (6 - r) / 21, inner = (6 + r) / 21;
-    const double sum = 0.225 * at(t, 1./3, 1./3)
-      + (155 - r) / 1200 * (at(t, outer, outer) + at(t, outer, 1 - 2*outer) + at(t, 1 - 2*outer, outer))
-      + (155 + r) / 1200 * (at(t, inner, inner) + at(t, inner, 1 - 2*inner) + at(t, 1 - 2*inner, inner));
+    double sum = 0;
+    for_each_node_of_radon(t, [&](const Vector_of_doubles& x, double weight, double) {
+      sum += weight * m_density(x.x, x.y);
+    });
     return area(t) * sum;
   }
 
@@ -63,25 +62,6 @@ private:
     for(int i = 0; i < 4; ++i)
       sum += refined(parts[i], values[i], depth - 1);
     return sum;
-  }
-
-  static std::array<Triangle, 4> quarters(const Triangle& t)
-  {
-    const auto middle = [](const Vector_of_doubles& p, const Vector_of_doubles& q)
-                        { return Vector_of_doubles{(p.x + q.x) / 2, (p.y + q.y) / 2}; };
-    const Vector_of_doubles a = middle(t[1], t[2]), b = middle(t[2], t[0]), c = middle(t[0], t[1]);
-    return {{{{t[0], c, b}}, {{t[1], a, c}}, {{t[2], b, a}}, {{a, b, c}}}};
-  }
-
-  static double area(const Triangle& t)
-  {
-    return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x)) / 2;
-  }
-
-  double at(const Triangle& t, double l1, double l2) const
-  {
-    return m_density(t[0].x + l1 * (t[1].x - t[0].x) + l2 * (t[2].x - t[0].x),
-                     t[0].y + l1 * (t[1].y - t[0].y) + l2 * (t[2].y - t[0].y));
   }
 
   Density     m_density;

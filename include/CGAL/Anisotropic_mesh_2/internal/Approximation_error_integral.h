@@ -38,8 +38,7 @@ public:
   {
     const auto vector = [](const Point& p, const Point& q)
                         { return Vector_of_doubles{CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y())}; };
-    m_pieces.push_back({{CGAL::to_double(corner[0].x()), CGAL::to_double(corner[0].y())},
-                        vector(corner[0], corner[1]), vector(corner[0], corner[2]), value});
+    m_pieces.push_back({to_doubles(corner[0]), vector(corner[0], corner[1]), vector(corner[0], corner[2]), value});
   }
 
   Approximation_error operator()() const

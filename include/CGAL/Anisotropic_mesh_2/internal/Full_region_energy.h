@@ -7,10 +7,10 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_FULL_REGION_ENERGY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_FULL_REGION_ENERGY_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Region_integrator.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
-#include <CGAL/Anisotropic_mesh_2/Voronoi_distance_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 
 #include <vector>
@@ -36,10 +36,12 @@ public:
     moments.assign(m_mesh.vertex_index_bound(), Region_moments());
     double energy = 0;
     for(std::size_t i = 0; i < diagram.number_of_regions(); ++i) {
-      double error;
-      const Region_sum sum = diagram.integrate(i, m_measure, m_tolerance, error);
-      moments[diagram.region(i).vertex->index()] = sum.moments;
-      energy += sum.energy;
+      const auto integrals = diagram.integrals(i, m_measure, m_tolerance);
+      Region_moments& m = moments[diagram.region(i).vertex->index()];
+      m.a = Symmetric_form(integrals.matrix[0], integrals.matrix[1], integrals.matrix[2]);
+      m.gx = -integrals.energy_gradient[0] / 2;
+      m.gy = -integrals.energy_gradient[1] / 2;
+      energy += integrals.energy;
     }
     return energy;
   }

@@ -9,10 +9,9 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Triangle_of_doubles.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -40,8 +39,8 @@ struct Region_sum
   }
 };
 
-// Integrates over a region that is made up of triangles, by a rule of degree 5
-// whose error is bounded by the difference to a rule of degree 2; the triangle
+// Integrates over a region that is made up of triangles, by Radon's rule, whose
+// error is bounded by the difference to a rule of degree two; the triangle
 // of the largest error is quartered until the sum of the errors of the mass
 // centre is small.
 //
@@ -50,7 +49,7 @@ template <class Density>
 class Region_integrator
 {
 public:
-  typedef std::array<Vector_of_doubles, 3> Triangle;
+  typedef Triangle_of_doubles Triangle;
 
   // `tolerance` of the mass centre, relative to the root of the mean squared distance
   Region_integrator(const Density& density, double tolerance) : m_density(density), m_tolerance(tolerance) {}
@@ -109,43 +108,28 @@ private:
     const Triangle t = heap.back().triangle;
     error -= heap.back().error;
     heap.pop_back();
-    Triangle middle;
-    for(int i = 0; i < 3; ++i)
-      middle[i] = {(t[(i + 1) % 3].x + t[(i + 2) % 3].x) / 2, (t[(i + 1) % 3].y + t[(i + 2) % 3].y) / 2};
-    for(int i = 0; i < 4; ++i) {
-      Part p = integrate(i == 3 ? middle : Triangle{t[i], middle[(i + 2) % 3], middle[(i + 1) % 3]}, generator);
+    for(const Triangle& quarter : quarters(t)) {
+      Part p = integrate(quarter, generator);
       error += (p.error = length(p, scale));
       heap.push_back(p);
       std::push_heap(heap.begin(), heap.end());
     }
   }
 
-  // Radon's rule of degree 5, and from its centre and its second orbit a rule of degree 2
   Part integrate(const Triangle& t, const Vector_of_doubles& generator) const
   {
-    const double root = std::sqrt(15.), a1 = (6 - root) / 21, a2 = (6 + root) / 21;
-    const double w1 = (155 - root) / 1200, w2 = (155 + root) / 1200;
-    const double v2 = 1 / (18 * (2*a2*a2 + (1 - 2*a2) * (1 - 2*a2) - 1./3)), v0 = 1 - 3*v2;
-    const double area = ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x)) / 2;
     Part p;
     p.triangle = t;
-    add(p, generator, 1./3, 1./3, 1./3, area * 9/40, area * v0);
-    for(int i = 0; i < 3; ++i) {
-      std::array<double, 3> l1 = {a1, a1, a1}, l2 = {a2, a2, a2};
-      l1[i] = 1 - 2*a1;
-      l2[i] = 1 - 2*a2;
-      add(p, generator, l1[0], l1[1], l1[2], area * w1, 0);
-      add(p, generator, l2[0], l2[1], l2[2], area * w2, area * v2);
-    }
+    const double whole = area(t);
+    for_each_node_of_radon(t, [&](const Vector_of_doubles& x, double weight, double other) {
+      add(p, x, generator, whole * weight, whole * other);
+    });
     return p;
   }
 
   // a sample with its weights in both rules
-  void add(Part& p, const Vector_of_doubles& generator, double l0, double l1, double l2,
-           double weight, double other) const
+  void add(Part& p, const Vector_of_doubles& x, const Vector_of_doubles& generator, double weight, double other) const
   {
-    const Triangle& t = p.triangle;
-    const Vector_of_doubles x = {l0*t[0].x + l1*t[1].x + l2*t[2].x, l0*t[0].y + l1*t[1].y + l2*t[2].y};
     Symmetric_form m;
     double density;
     m_density(x, m, density);

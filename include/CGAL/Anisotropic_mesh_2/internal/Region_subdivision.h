@@ -11,7 +11,6 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Generator_set.h>
 
 #include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
@@ -100,7 +99,7 @@ private:
         if(&v == &*mesh.infinite_vertex())
           return;
         copy.corner.label = region_of[v.index()];
-        copy.corner.place.at = {CGAL::to_double(v.point().x()), CGAL::to_double(v.point().y())};
+        copy.corner.place.at = to_doubles(v.point());
         copy.corner.place.m = is_measured_at_generators ? Symmetric_form(1, 0, 1) : Symmetric_form(v.metric_tensor());
         copy.is_generator = true;
       }

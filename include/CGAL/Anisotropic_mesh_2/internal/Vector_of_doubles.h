@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VECTOR_OF_DOUBLES_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VECTOR_OF_DOUBLES_H
 
+#include <CGAL/number_utils.h>
+
 #include <vector>
 
 namespace CGAL {
@@ -19,6 +21,9 @@ struct Vector_of_doubles
 };
 
 typedef std::vector<Vector_of_doubles> Vectors;
+
+template <class Point>
+Vector_of_doubles to_doubles(const Point& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
 
 } // namespace internal
 } // namespace Anisotropic_mesh_2

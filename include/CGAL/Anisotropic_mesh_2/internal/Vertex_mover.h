@@ -44,7 +44,7 @@ Vectors positions_of(const std::vector<Vertex_handle>& vertices)
 {
   Vectors result(vertices.size());
   for(std::size_t i = 0; i < vertices.size(); ++i)
-    result[i] = {CGAL::to_double(vertices[i]->point().x()), CGAL::to_double(vertices[i]->point().y())};
+    result[i] = to_doubles(vertices[i]->point());
   return result;
 }
 

@@ -8,13 +8,12 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VISIBILITY_REGION_H
 
 #include <CGAL/Anisotropic_mesh_2/Visibility_sampling.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Domain_star.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -77,7 +76,7 @@ public:
   Visibility_region(const Mesh& mesh, Vertex_handle v, const Visibility_sampling& sampling)
     : m_mesh(mesh), m_vertex(v), m_sampling(sampling),
       m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
-      m_generator(position(v)), m_form(v->metric_tensor())
+      m_generator(to_doubles(v->point())), m_form(v->metric_tensor())
   {
     CGAL_precondition(mesh.dimension() == 2);
     CGAL_precondition(sampling.subdivisions_of_edges >= 1 && sampling.steps >= 1);
@@ -97,11 +96,6 @@ private:
   static constexpr double tolerance = 1e-10; // of crossings, in parts of a poly-segment
   static constexpr std::uintmax_t maximum_iterations = 60;
 
-  static Vector_of_doubles position(Vertex_handle v)
-  {
-    return {CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y())};
-  }
-
   void find_testing_vertices(const Star& star)
   {
     std::vector<Vertex_handle> vertices;
@@ -118,7 +112,7 @@ private:
               [](Vertex_handle v, Vertex_handle w) { return v->index() < w->index(); });
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for(Vertex_handle v : vertices)
-      m_testing_vertices.push_back(position(v));
+      m_testing_vertices.push_back(to_doubles(v->point()));
   }
 
   void add_polygon(const typename Star::Run& run, bool is_closed)
@@ -137,13 +131,14 @@ private:
   Poly_segment poly_segment(Face_handle f, int j) const
   {
     const int i = f->index(m_vertex);
-    const Vector_of_doubles a = position(f->vertex(Mesh::ccw(i))), b = position(f->vertex(Mesh::cw(i)));
+    const Vector_of_doubles a = to_doubles(f->vertex(Mesh::ccw(i))->point());
+    const Vector_of_doubles b = to_doubles(f->vertex(Mesh::cw(i))->point());
     const int n = m_sampling.subdivisions_of_edges;
     const Vector_of_doubles q = j == n ? b : Poly_segment::between(a, b, double(j) / n);
     const Edge across = m_mesh.mirror_edge(Edge(f, i));
     if(!across.first->is_in_domain())
       return Poly_segment(m_generator, q);
-    const Vector_of_doubles c = position(across.first->vertex(across.second));
+    const Vector_of_doubles c = to_doubles(across.first->vertex(across.second)->point());
     if(!m_sampling.shrinks_testing_region)
       return Poly_segment(m_generator, q, c, m_form);
     const Vector_of_doubles middle = Poly_segment::between(m_generator, c, 0.5);

@@ -39,7 +39,7 @@ double metric_area(const Mesh& mesh, double exponent, double relative_tolerance,
       continue;
     std::array<Vector_of_doubles, 3> t;
     for(int i = 0; i < 3; ++i)
-      t[i] = {CGAL::to_double(f->vertex(i)->point().x()), CGAL::to_double(f->vertex(i)->point().y())};
+      t[i] = to_doubles(f->vertex(i)->point());
     sum += integral(t);
   }
   return sum;

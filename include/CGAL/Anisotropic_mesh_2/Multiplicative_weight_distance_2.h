@@ -4,45 +4,16 @@
 //
 // Author(s)     : the Anisotropic_mesh_2 developers
 
-#ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_DISTANCE_2_H
-#define CGAL_ANISOTROPIC_MESH_2_VORONOI_DISTANCE_2_H
-
-#include <CGAL/Metric_tensor_2.h>
+#ifndef CGAL_ANISOTROPIC_MESH_2_MULTIPLICATIVE_WEIGHT_DISTANCE_2_H
+#define CGAL_ANISOTROPIC_MESH_2_MULTIPLICATIVE_WEIGHT_DISTANCE_2_H
 
 #include <CGAL/assertions.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
-
-/// \ingroup PkgAnisotropicMesh2Classes
-///
-/// the directional distance of definition 2.1 of \cgalCite{dw-acvt-05}: the
-/// distance from a point to a generator is measured by the tensor of the field
-/// at the point. Bisectors pass through the midpoints of generators.
-///
-/// \cgalModels{VoronoiDistance_2}
-struct Directional_distance_2
-{
-  static constexpr bool is_measured_at_generators = false;
-};
-
-/// \ingroup PkgAnisotropicMesh2Classes
-///
-/// the distance of Labelle and Shewchuk, for comparison: measured by the tensor
-/// at the generator (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are
-/// conics that do not pass through the midpoints of generators.
-///
-/// \cgalModels{VoronoiDistance_2}
-struct Labelle_Shewchuk_distance_2
-{
-  static constexpr bool is_measured_at_generators = true;
-
-  /// the tensor by which distances to `v` are measured.
-  template <class Vertex_handle>
-  auto operator()(Vertex_handle v) const { return v->metric_tensor(); }
-};
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -77,4 +48,4 @@ private:
 } // namespace Anisotropic_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_DISTANCE_2_H
+#endif // CGAL_ANISOTROPIC_MESH_2_MULTIPLICATIVE_WEIGHT_DISTANCE_2_H

@@ -1,0 +1,32 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_LABELLE_SHEWCHUK_DISTANCE_2_H
+#define CGAL_ANISOTROPIC_MESH_2_LABELLE_SHEWCHUK_DISTANCE_2_H
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the distance of Labelle and Shewchuk, for comparison: measured by the tensor
+/// at the generator (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are
+/// conics that do not pass through the midpoints of generators.
+///
+/// \cgalModels{VoronoiDistance_2}
+struct Labelle_Shewchuk_distance_2
+{
+  static constexpr bool is_measured_at_generators = true;
+
+  /// the tensor by which distances to `v` are measured.
+  template <class Vertex_handle>
+  auto operator()(Vertex_handle v) const { return v->metric_tensor(); }
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_LABELLE_SHEWCHUK_DISTANCE_2_H

@@ -1,0 +1,34 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_BISECTOR_2_H
+#define CGAL_ANISOTROPIC_MESH_2_VORONOI_BISECTOR_2_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// a curve along which the regions of two generators meet, as a polygonal line.
+///
+/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
+template <class K>
+struct Voronoi_bisector_2
+{
+  std::array<std::size_t, 2>            regions;  ///< the one on the left and the one on the right
+  bool                                  is_between_main_pieces;
+  bool                                  is_closed;
+  std::vector<typename K::Point_2>      points;
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_BISECTOR_2_H

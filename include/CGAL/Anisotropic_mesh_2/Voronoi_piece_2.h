@@ -1,0 +1,33 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_PIECE_2_H
+#define CGAL_ANISOTROPIC_MESH_2_VORONOI_PIECE_2_H
+
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// a connected part of the region of a generator.
+///
+/// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
+template <class K>
+struct Voronoi_piece_2
+{
+  typedef std::vector<typename K::Point_2> Polygon;
+
+  bool                  is_main = false; ///< whether it contains the generator; else it is an orphan
+  double                area = 0;        ///< the Euclidean area
+  std::vector<Polygon>  boundaries;      ///< the outer ones counterclockwise, those of holes clockwise
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_PIECE_2_H
