@@ -129,7 +129,8 @@ void test_domain_with_everything()
   CHECK(empty.number_of_vertices() == fixed);
 
   double regions = 0;
-  for(const auto& region : CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh).regions())
+  const CGAL::Anisotropic_Voronoi_diagram_2<Mesh> diagram(mesh);
+  for(const auto& region : diagram.regions())
     regions += region.area;
   CHECK_MSG(std::abs(regions / area_of(mesh) - 1) < 1e-10, std::to_string(regions));
 }
