@@ -401,10 +401,12 @@ public:
   /// or cannot be flipped.
   bool is_locally_Delaunay(Face_handle f, int i) const
   {
-    if(!is_flippable(f, i))
+    if(f->is_constrained(i) || is_infinite(f) || is_infinite(f->neighbor(i)))
       return true;
     const Edge e = mirror_edge(Edge(f, i));
-    return !(is_in_conflict(f, e.first->vertex(e.second)) && is_in_conflict(e.first, f->vertex(i)));
+    // most often the first test decides
+    return !is_in_conflict(f, e.first->vertex(e.second)) || !is_flippable(f, i)
+        || !is_in_conflict(e.first, f->vertex(i));
   }
 
   /// whether the tensors of the four vertices around the edge are multiples of `m`.

@@ -37,12 +37,12 @@ namespace CGAL {
 /// `CANT_IMPROVE_ANYMORE` if no step lowers the energy within the accuracy to
 /// which it is evaluated. The mesh is valid in each case.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
-template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code
 acvt_optimize_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace internal = Anisotropic_mesh_2::internal;
-  return internal::optimize_acvt<internal::Vertex_mover<Mesh> >
+  return internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
     (mesh, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
 }
 

@@ -110,7 +110,7 @@ private:
     const double area = metric_area(m_mesh, 0.5, 1e-5, quarterings());
     m_result.ideal_vertices = ideal_number_of_vertices(area);
     std::vector<Region_moments> moments;
-    m_result.energy = Acvt_energy<Mesh>(m_mesh, m_measure, 0.1, 4)(moments);
+    m_result.energy = Acvt_energy<Mesh>(m_mesh, m_measure, Acvt_accuracy{0.1, 0.1, 4})(moments);
     const double density_integral
       = m_measure == Measure::RIEMANNIAN ? area : metric_area(m_mesh, 0.25, 1e-5, quarterings());
     // the second moment of a regular hexagon of unit area

@@ -69,12 +69,12 @@ namespace CGAL {
 /// `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
 /// `ALL_VERTICES_FROZEN` if no vertex is free to move. The mesh is valid in each case.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
-template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code
 lloyd_optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace internal = Anisotropic_mesh_2::internal;
-  return internal::optimize_acvt<internal::Vertex_reinserter<Mesh> >
+  return internal::optimize_acvt<ConcurrencyTag, internal::Vertex_reinserter<Mesh> >
     (mesh, [](auto& optimizer) { return optimizer.lloyd(); }, np);
 }
 

@@ -9,16 +9,20 @@
 
 #include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Lbfgs_history.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Region_couplings.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Region_preconditioner.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/vector_operations.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Real_timer.h>
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,36 +40,40 @@ struct Stopping_criteria
 //
 // `Energy` evaluates the energy and the moments of the regions, `Mover` brings
 // the vertices to new places and updates the triangulation.
-template <class Mesh, class Energy, class Mover, class Visitor>
+template <class ConcurrencyTag, class Energy, class Mover, class Visitor>
 class Acvt_optimizer
 {
 public:
   Acvt_optimizer(Energy& energy, Mover& mover, const Stopping_criteria& criteria, Visitor& visitor)
-    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor)
+    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor), m_precondition(m_free)
   {
     m_timer.start();
-    evaluate();
+    for(const auto v : mover.free_vertices())
+      m_free.push_back(v->index());
   }
 
   // The iteration of section 4 of the paper: every vertex moves to the mass
   // centre of its region.
   Mesh_optimization_return_code lloyd()
   {
+    m_state.energy = m_evaluate(m_moments);
+    summarize();
     for(;;) {
       Mesh_optimization_return_code code;
       if(is_finished(code))
         return code;
       Vectors target = m_mover.positions();
-      add_multiple(target, 1, m_pull);
+      add_multiple<ConcurrencyTag>(target, 1, m_pull);
       m_mover.move_to(target);
-      evaluate();
+      m_state.energy = m_evaluate(m_moments);
+      summarize();
     }
   }
 
-  // L-BFGS, preconditioned by the matrices of the mass centres so that its
-  // first step is a Lloyd step.
+  // L-BFGS, preconditioned by an approximation of the inverse of the Hessian.
   Mesh_optimization_return_code quasi_newton()
   {
+    evaluate();
     for(;;) {
       Mesh_optimization_return_code code;
       if(is_finished(code))
@@ -83,20 +91,35 @@ private:
   static constexpr double energy_noise = 1e-4;
   static constexpr double least_progress = 1e-6;
   static constexpr int    patience = 10;
+  // A step may raise the energy as long as it stays below the highest one of some
+  // steps before: that saves many evaluations, and noise does not stop the method.
+  static constexpr std::size_t memory_of_energies = 6;
 
   void evaluate()
   {
-    m_state.energy = m_evaluate(m_moments);
+    if constexpr(Energy::has_couplings)
+      m_state.energy = m_evaluate(m_moments, m_couplings);
+    else
+      m_state.energy = m_evaluate(m_moments);
+    summarize();
+  }
+
+  void summarize()
+  {
     ++m_state.evaluations;
-    const auto& vertices = m_mover.free_vertices();
-    m_pull.resize(vertices.size());
-    m_state.largest_move = m_state.displacement = 0;
-    for(std::size_t i = 0; i < vertices.size(); ++i) {
-      Vector_of_doubles& p = m_pull[i];
-      m_moments[vertices[i]->index()].pull(p.x, p.y);
-      m_state.displacement += p.x*p.x + p.y*p.y;
-      m_state.largest_move = std::max(m_state.largest_move, metric_length(i, p));
-    }
+    m_pull.resize(m_free.size());
+    std::vector<double> largest(number_of_chunks(m_free.size()), 0.);
+    for_each_chunk<ConcurrencyTag>(m_free.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i) {
+        Vector_of_doubles& p = m_pull[i];
+        m_moments[m_free[i]].pull(p.x, p.y);
+        largest[chunk] = std::max(largest[chunk], metric_length(i, p));
+      }
+    });
+    m_state.largest_move = 0;
+    for(double l : largest)
+      m_state.largest_move = std::max(m_state.largest_move, l);
+    m_state.displacement = scalar_product<ConcurrencyTag>(m_pull, m_pull);
   }
 
   double metric_length(std::size_t i, const Vector_of_doubles& v) const
@@ -127,45 +150,50 @@ private:
 
   Vectors gradient() const
   {
-    const auto& vertices = m_mover.free_vertices();
-    Vectors g(vertices.size());
-    for(std::size_t i = 0; i < g.size(); ++i) {
-      const Region_moments& m = m_moments[vertices[i]->index()];
+    Vectors g(m_free.size());
+    for_each_index<ConcurrencyTag>(g.size(), [&](std::size_t i) {
+      const Region_moments& m = m_moments[m_free[i]];
       g[i] = {-2*m.gx, -2*m.gy};
-    }
+    });
     return g;
   }
 
-  Vectors direction() const
+  Vectors direction(const Vectors& gradient)
   {
-    Vectors d = gradient();
-    const auto& vertices = m_mover.free_vertices();
-    m_history.direction(d, [&](Vectors& v) {
-      for(std::size_t i = 0; i < v.size(); ++i)
-        m_moments[vertices[i]->index()].solve(v[i].x / 2, v[i].y / 2, v[i].x, v[i].y);
-    });
-    for(std::size_t i = 0; i < d.size(); ++i) {
+    Vectors d = gradient;
+    m_history.direction(d, [&](Vectors& v) { precondition(v); });
+    for_each_index<ConcurrencyTag>(d.size(), [&](std::size_t i) {
       const double length = metric_length(i, d[i]);
       if(length > longest_step)
         d[i] = {d[i].x * longest_step / length, d[i].y * longest_step / length};
-    }
+    });
     return d;
+  }
+
+  void precondition(Vectors& v)
+  {
+    if constexpr(Energy::has_couplings)
+      m_precondition(m_moments, m_couplings, v);
+    else
+      for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
+        m_moments[m_free[i]].solve(v[i].x / 2, v[i].y / 2, v[i].x, v[i].y);
+      });
   }
 
   // A step along the quasi-Newton direction, shortened until the energy falls.
   bool descend()
   {
-    const Vectors start = m_mover.positions(), old_gradient = gradient(), d = direction();
-    const double old_energy = m_state.energy, slope = scalar_product(old_gradient, d);
+    const Vectors start = m_mover.positions(), old_gradient = gradient(), d = direction(old_gradient);
+    const double old_energy = m_state.energy, bound = highest_recent_energy(), slope = scalar_product<ConcurrencyTag>(old_gradient, d);
     if(!(slope < 0))
       return false;
     double t = 1;
     for(int trial = 0; trial < maximum_trials; ++trial) {
       Vectors target = start;
-      add_multiple(target, t, d);
+      add_multiple<ConcurrencyTag>(target, t, d);
       m_mover.move_to(target);
       evaluate();
-      if(m_state.energy <= old_energy + 1e-4 * t * slope || is_level(old_energy, slope, d)) {
+      if(m_state.energy <= bound + 1e-4 * t * slope || is_level(old_energy, slope, d)) {
         remember_step(start, old_gradient);
         return true;
       }
@@ -178,13 +206,22 @@ private:
     return false;
   }
 
+  double highest_recent_energy()
+  {
+    m_recent_energies.push_back(m_state.energy);
+    if(m_recent_energies.size() > memory_of_energies)
+      m_recent_energies.pop_front();
+    return *std::max_element(m_recent_energies.begin(), m_recent_energies.end());
+  }
+
   // Whether the energy has not risen by more than noise while its slope along d
   // has lost a good part of its steepness, so that d has been of use.
   bool is_level(double old_energy, double old_slope, const Vectors& d) const
   {
-    return m_state.energy <= old_energy * (1 + energy_noise)
-        && scalar_product(gradient(), d) >= 0.8 * old_slope
-        && scalar_product(gradient(), d) <= -0.8 * old_slope;
+    if(m_state.energy > old_energy * (1 + energy_noise))
+      return false;
+    const double slope = scalar_product<ConcurrencyTag>(gradient(), d);
+    return slope >= 0.8 * old_slope && slope <= -0.8 * old_slope;
   }
 
   // Whether the lowest energy so far is older than some iterations.
@@ -200,9 +237,9 @@ private:
   void remember_step(const Vectors& start, const Vectors& old_gradient)
   {
     Vectors step = m_mover.positions(), difference = gradient();
-    add_multiple(step, -1, start);
-    add_multiple(difference, -1, old_gradient);
-    m_history.add(std::move(step), std::move(difference));
+    add_multiple<ConcurrencyTag>(step, -1, start);
+    add_multiple<ConcurrencyTag>(difference, -1, old_gradient);
+    m_history.add(step, difference);
   }
 
   // Forgets what was learnt; nothing is left to try if that was nothing.
@@ -219,9 +256,13 @@ private:
   Visitor&                    m_visitor;
   Real_timer                  m_timer;
   Optimization_state          m_state;
-  std::vector<Region_moments> m_moments;
-  Vectors                     m_pull; // from the free vertices to their mass centres
-  Lbfgs_history               m_history;
+  std::vector<int>            m_free;     // the indices of the free vertices
+  std::vector<Region_moments> m_moments;  // by index
+  Vectors                     m_pull;     // from the free vertices to their mass centres
+  Region_couplings            m_couplings;
+  Region_preconditioner<ConcurrencyTag> m_precondition;
+  Lbfgs_history<ConcurrencyTag>         m_history;
+  std::deque<double>          m_recent_energies;
   double                      m_lowest_energy = std::numeric_limits<double>::infinity();
   std::size_t                 m_iteration_of_lowest = 0;
 };

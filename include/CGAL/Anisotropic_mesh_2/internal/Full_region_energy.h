@@ -25,6 +25,8 @@ template <class Mesh>
 class Full_region_energy
 {
 public:
+  static constexpr bool has_couplings = false;
+
   Full_region_energy(const Mesh& mesh, Measure measure, double tolerance = 1e-4)
     : m_mesh(mesh), m_measure(measure), m_tolerance(tolerance)
   {}

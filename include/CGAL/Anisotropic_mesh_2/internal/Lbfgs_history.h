@@ -7,7 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_LBFGS_HISTORY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_LBFGS_HISTORY_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/vector_operations.h>
 
 #include <cmath>
 #include <cstddef>
@@ -19,43 +21,35 @@ namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
-inline double scalar_product(const Vectors& u, const Vectors& v)
-{
-  double sum = 0;
-  for(std::size_t i = 0; i < u.size(); ++i)
-    sum += u[i].x*v[i].x + u[i].y*v[i].y;
-  return sum;
-}
-
-// u += t v
-inline void add_multiple(Vectors& u, double t, const Vectors& v)
-{
-  for(std::size_t i = 0; i < u.size(); ++i) {
-    u[i].x += t*v[i].x;
-    u[i].y += t*v[i].y;
-  }
-}
-
 // The last steps and differences of gradients, which stand for the inverse
-// Hessian in the two-loop recursion of the L-BFGS method.
+// Hessian in the two-loop recursion of the L-BFGS method. Kept as directions in
+// single precision, with their lengths apart.
+template <class ConcurrencyTag>
 class Lbfgs_history
 {
 public:
-  explicit Lbfgs_history(std::size_t maximum_size = 7) : m_maximum_size(maximum_size) {}
+  explicit Lbfgs_history(std::size_t maximum_size = 5) : m_maximum_size(maximum_size) {}
 
   void clear() { m_pairs.clear(); }
   bool empty() const { return m_pairs.empty(); }
 
   // Pairs without positive curvature would spoil the definiteness and are dropped.
-  void add(Vectors step, Vectors gradient_difference)
+  void add(const Vectors& step, const Vectors& gradient_difference)
   {
-    const double curvature = scalar_product(step, gradient_difference);
-    if(!(curvature > 1e-10 * std::sqrt(scalar_product(gradient_difference, gradient_difference)
-                                     * scalar_product(step, step))))
+    const double s = length(step), y = length(gradient_difference);
+    const double cosine = scalar_product<ConcurrencyTag>(step, gradient_difference) / (s * y);
+    if(!(cosine > 1e-10))
       return;
-    if(m_pairs.size() == m_maximum_size)
+    Pair pair;
+    if(m_pairs.size() == m_maximum_size) { // its memory serves again
+      pair = std::move(m_pairs.front());
       m_pairs.pop_front();
-    m_pairs.push_back({std::move(step), std::move(gradient_difference), 1 / curvature});
+    }
+    set_to_quotient(pair.step, step, s);
+    set_to_quotient(pair.difference, gradient_difference, y);
+    pair.cosine = cosine;
+    pair.ratio = s / y;
+    m_pairs.push_back(std::move(pair));
   }
 
   // Turns a gradient into minus the product with the inverse Hessian, that of
@@ -65,24 +59,50 @@ public:
   {
     std::vector<double> alpha(m_pairs.size());
     for(std::size_t k = m_pairs.size(); k-- > 0;) {
-      alpha[k] = m_pairs[k].rho * scalar_product(m_pairs[k].step, v);
-      add_multiple(v, -alpha[k], m_pairs[k].difference);
+      const Pair& p = m_pairs[k];
+      alpha[k] = product(p.step, v) / p.cosine;
+      add(v, -alpha[k], p.difference);
     }
     precondition(v);
     for(std::size_t k = 0; k < m_pairs.size(); ++k) {
-      const double beta = m_pairs[k].rho * scalar_product(m_pairs[k].difference, v);
-      add_multiple(v, alpha[k] - beta, m_pairs[k].step);
+      const Pair& p = m_pairs[k];
+      add(v, p.ratio * alpha[k] - product(p.difference, v) / p.cosine, p.step);
     }
-    for(Vector_of_doubles& w : v)
-      w = {-w.x, -w.y};
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) { v[i] = {-v[i].x, -v[i].y}; });
   }
 
 private:
+  struct Vector_of_floats { float x, y; };
+  typedef std::vector<Vector_of_floats> Vectors_of_floats;
+
   struct Pair
   {
-    Vectors step, difference;
-    double  rho;
+    Vectors_of_floats step, difference; // of unit length
+    double cosine, ratio;               // of the angle and of the lengths of the two
   };
+
+  static double length(const Vectors& v) { return std::sqrt(scalar_product<ConcurrencyTag>(v, v)); }
+
+  static void set_to_quotient(Vectors_of_floats& u, const Vectors& v, double divisor)
+  {
+    u.resize(v.size());
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
+      u[i] = {float(v[i].x / divisor), float(v[i].y / divisor)};
+    });
+  }
+
+  static double product(const Vectors_of_floats& u, const Vectors& v)
+  {
+    return sum_over<ConcurrencyTag>(u.size(), [&](std::size_t i) { return u[i].x*v[i].x + u[i].y*v[i].y; });
+  }
+
+  static void add(Vectors& v, double t, const Vectors_of_floats& u)
+  {
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
+      v[i].x += t*u[i].x;
+      v[i].y += t*u[i].y;
+    });
+  }
 
   std::size_t      m_maximum_size;
   std::deque<Pair> m_pairs;

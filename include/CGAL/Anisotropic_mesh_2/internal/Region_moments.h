@@ -33,6 +33,14 @@ struct Region_moments
     return sx*dx + sy*dy;
   }
 
+  Region_moments& operator+=(const Region_moments& m)
+  {
+    a += m.a;
+    gx += m.gx;
+    gy += m.gy;
+    return *this;
+  }
+
   // The vector from the generator to its mass centre; none for an empty region.
   void pull(double& x, double& y) const { solve(gx, gy, x, y); }
 

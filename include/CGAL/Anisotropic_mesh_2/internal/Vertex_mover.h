@@ -7,7 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_MOVER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_MOVER_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/faces_in_domain.h>
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 
@@ -51,7 +53,7 @@ Vectors positions_of(const std::vector<Vertex_handle>& vertices)
 // Moves the free vertices of a mesh in place. A vertex whose move would invert
 // a face goes only a part of its way; afterwards the criterion of the
 // triangulation is restored by flips.
-template <class Mesh>
+template <class Mesh, class ConcurrencyTag = Sequential_tag>
 class Vertex_mover
 {
   typedef typename Mesh::Point           Point;
@@ -61,7 +63,9 @@ class Vertex_mover
 public:
   explicit Vertex_mover(Mesh& mesh)
     : m_mesh(mesh), m_free(internal::free_vertices(mesh))
-  {}
+  {
+    faces_in_domain(mesh, m_faces);
+  }
 
   // the vertices that may move, in the order of their indices
   const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
@@ -82,7 +86,7 @@ public:
       place_all(start);
       throw;
     }
-    restore_connectivity(m_mesh);
+    restore_connectivity<ConcurrencyTag>(m_mesh, m_faces);
   }
 
 private:
@@ -93,40 +97,55 @@ private:
   // In each round a vertex is shortened, so that there is an end to it.
   void untangle(const Vectors& start, const Vectors& target)
   {
-    std::vector<unsigned char> shortened(m_mesh.vertex_index_bound(), 0);
-    std::vector<std::size_t> rank(m_mesh.vertex_index_bound(), 0);
-    std::vector<bool> is_free(m_mesh.vertex_index_bound(), false);
-    for(std::size_t i = 0; i < m_free.size(); ++i) {
-      rank[m_free[i]->index()] = i;
-      is_free[m_free[i]->index()] = true;
-    }
-    std::vector<Face_handle> suspects;
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
-      if(f->is_in_domain())
-        suspects.push_back(f);
-
-    while(!suspects.empty()) {
-      std::vector<Vertex_handle> to_shorten;
-      for(Face_handle f : suspects)
-        if(is_inverted(f))
-          for(int i = 0; i < 3; ++i) {
-            const Vertex_handle v = f->vertex(i);
-            if(is_free[v->index()] && shortened[v->index()] <= halvings)
-              to_shorten.push_back(v);
-          }
-      std::sort(to_shorten.begin(), to_shorten.end(),
-                [](Vertex_handle v, Vertex_handle w) { return v->index() < w->index(); });
+    std::vector<Face_handle> inverted = inverted_faces();
+    if(inverted.empty())
+      return;
+    std::vector<unsigned char> shortened(m_free.size(), 0);
+    const std::vector<int> ranks = ranks_of_vertices();
+    while(!inverted.empty()) {
+      std::vector<int> to_shorten;
+      for(Face_handle f : inverted)
+        for(int i = 0; i < 3; ++i) {
+          const int rank = ranks[f->vertex(i)->index()];
+          if(rank >= 0 && shortened[rank] <= halvings)
+            to_shorten.push_back(rank);
+        }
+      std::sort(to_shorten.begin(), to_shorten.end());
       to_shorten.erase(std::unique(to_shorten.begin(), to_shorten.end()), to_shorten.end());
-      suspects.clear();
-      for(Vertex_handle v : to_shorten) {
-        const std::size_t i = rank[v->index()];
-        place(v, start[i], target[i], ++shortened[v->index()]);
-        auto f = m_mesh.incident_faces(v), done(f);
-        do {
-          suspects.push_back(f);
-        } while(++f != done);
-      }
+      for(int i : to_shorten)
+        place(m_free[i], start[i], target[i], ++shortened[i]);
+      inverted = inverted_faces_around(to_shorten);
     }
+  }
+
+  std::vector<Face_handle> inverted_faces() const
+  {
+    return selected_of_chunks<ConcurrencyTag, Face_handle>(m_faces.size(), [&](std::size_t i, auto& inverted) {
+      if(is_inverted(m_faces[i]))
+        inverted.push_back(m_faces[i]);
+    });
+  }
+
+  std::vector<Face_handle> inverted_faces_around(const std::vector<int>& ranks) const
+  {
+    std::vector<Face_handle> inverted;
+    for(int i : ranks) {
+      auto f = m_mesh.incident_faces(m_free[i]), done(f);
+      do {
+        if(is_inverted(f))
+          inverted.push_back(f);
+      } while(++f != done);
+    }
+    return inverted;
+  }
+
+  // by index, -1 for the vertices that stay
+  std::vector<int> ranks_of_vertices() const
+  {
+    std::vector<int> ranks(m_mesh.vertex_index_bound(), -1);
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      ranks[m_free[i]->index()] = static_cast<int>(i);
+    return ranks;
   }
 
   static void place(Vertex_handle v, const Vector_of_doubles& start, const Vector_of_doubles& target, int times)
@@ -146,24 +165,24 @@ private:
 
   void place_all(const Vectors& positions)
   {
-    for(std::size_t i = 0; i < m_free.size(); ++i)
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
       m_free[i]->set_point(point_at<Point>(positions[i].x, positions[i].y));
+    });
   }
 
   // Sets all tensors or, if the field fails at a vertex, none.
   void evaluate_tensors()
   {
     const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
-    std::vector<typename Mesh::Metric_tensor_2> tensors;
-    tensors.reserve(m_free.size());
-    for(Vertex_handle v : m_free)
-      tensors.push_back(tensor(v->point()));
-    for(std::size_t i = 0; i < m_free.size(); ++i)
-      m_free[i]->set_metric_tensor(tensors[i]);
+    m_tensors.resize(m_free.size());
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_tensors[i] = tensor(m_free[i]->point()); });
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_free[i]->set_metric_tensor(m_tensors[i]); });
   }
 
   Mesh& m_mesh;
   std::vector<Vertex_handle> m_free;
+  std::vector<Face_handle>   m_faces; // of the domain; flips only change what they hold
+  std::vector<typename Mesh::Metric_tensor_2> m_tensors;
 };
 
 } // namespace internal

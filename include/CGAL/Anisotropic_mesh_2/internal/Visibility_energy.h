@@ -9,7 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Visibility_sampling.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_element.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Weighted_tensor.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Visibility_region.h>
@@ -35,6 +35,8 @@ class Visibility_energy
   typedef typename Mesh::Vertex_handle   Vertex_handle;
 
 public:
+  static constexpr bool has_couplings = false;
+
   Visibility_energy(const Mesh& mesh, Measure measure, const Visibility_sampling& sampling = Visibility_sampling())
     : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
       m_is_riemannian(measure == Measure::RIEMANNIAN), m_sampling(sampling)

@@ -26,7 +26,7 @@ namespace internal {
 
 // Reads the named parameters that both optimizers share, sets up an optimizer
 // with the given way to move vertices, and runs `method` on it.
-template <class Mover, class Mesh, class Method, class NamedParameters>
+template <class ConcurrencyTag, class Mover, class Mesh, class Method, class NamedParameters>
 Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
@@ -45,7 +45,7 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
 
   Mover mover(mesh);
   const auto run = [&](auto energy) {
-    Acvt_optimizer<Mesh, decltype(energy), Mover, decltype(visitor)> optimizer(energy, mover, criteria, visitor);
+    Acvt_optimizer<ConcurrencyTag, decltype(energy), Mover, decltype(visitor)> optimizer(energy, mover, criteria, visitor);
     return method(optimizer);
   };
 
@@ -58,7 +58,7 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
     if(evaluation == Region_evaluation::FULL_REGIONS)
       return run(Full_region_energy<Mesh>(mesh, measure));
   }
-  return run(Acvt_energy<Mesh>(mesh, measure));
+  return run(Acvt_energy<Mesh, ConcurrencyTag>(mesh, measure));
 }
 
 } // namespace internal

@@ -1,0 +1,116 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_PARALLEL_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_PARALLEL_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// Loops that give the same bits with any number of threads: the work is cut into
+// pieces that depend on its size only, and what they sum up is added in their order.
+
+template <class ConcurrencyTag>
+constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+
+// Calls f(i) for the tasks i in [0, n), in any order and at the same time with
+// `Parallel_tag`. Of several exceptions that of the first task is thrown.
+template <class ConcurrencyTag, class Function>
+void for_each_task(std::size_t n, const Function& f)
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel<ConcurrencyTag>, "Parallel_tag is enabled but TBB is unavailable.");
+#else
+  if constexpr(is_parallel<ConcurrencyTag>) {
+    std::vector<std::exception_ptr> errors(n);
+    tbb::parallel_for(std::size_t(0), n, [&](std::size_t i) {
+      try {
+        f(i);
+      }
+      catch(...) {
+        errors[i] = std::current_exception();
+      }
+    });
+    for(const std::exception_ptr& e : errors)
+      if(e)
+        std::rethrow_exception(e);
+    return;
+  }
+#endif
+  for(std::size_t i = 0; i < n; ++i)
+    f(i);
+}
+
+constexpr std::size_t size_of_chunk = 2048;
+inline std::size_t number_of_chunks(std::size_t n) { return (n + size_of_chunk - 1) / size_of_chunk; }
+
+// Calls f(chunk, begin, end) for the chunks of [0, n).
+template <class ConcurrencyTag, class Function>
+void for_each_chunk(std::size_t n, const Function& f)
+{
+  for_each_task<ConcurrencyTag>(number_of_chunks(n), [&](std::size_t chunk) {
+    f(chunk, chunk * size_of_chunk, std::min(n, (chunk + 1) * size_of_chunk));
+  });
+}
+
+// Calls f(i) for i in [0, n).
+template <class ConcurrencyTag, class Function>
+void for_each_index(std::size_t n, const Function& f)
+{
+  for_each_chunk<ConcurrencyTag>(n, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      f(i);
+  });
+}
+
+// The sum of f(i) for i in [0, n).
+template <class ConcurrencyTag, class Function>
+double sum_over(std::size_t n, const Function& f)
+{
+  std::vector<double> sums(number_of_chunks(n), 0.);
+  for_each_chunk<ConcurrencyTag>(n, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      sums[chunk] += f(i);
+  });
+  double sum = 0;
+  for(double s : sums)
+    sum += s;
+  return sum;
+}
+
+// What f(i, selected) has appended for i in [0, n), in their order.
+template <class ConcurrencyTag, class Item, class Function>
+std::vector<Item> selected_of_chunks(std::size_t n, const Function& f)
+{
+  std::vector<std::vector<Item> > of_chunk(number_of_chunks(n));
+  for_each_chunk<ConcurrencyTag>(n, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      f(i, of_chunk[chunk]);
+  });
+  std::vector<Item> selected;
+  for(const std::vector<Item>& items : of_chunk)
+    selected.insert(selected.end(), items.begin(), items.end());
+  return selected;
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_PARALLEL_H
