@@ -130,20 +130,99 @@ void test_both_integrators(double variation, double tolerance)
   e.middle = Weighted_tensor(Symmetric_form(1, 0.05, 1.1), true);
   for(int i = 0; i < 3; ++i)
     e.tensor[i] = Weighted_tensor(Symmetric_form(1 + variation * (i - 1), 0.05 + variation * i, 1.1), true);
-  e.prepare_interpolation();
-  std::array<Region_moments, 3> m, n;
+  e.guess_bends();
+  std::array<Region_sums, 3> m, n;
+  Face_couplings mixed, other_mixed;
   Acute_element_integrator acute;
   CHECK(acute.prepare(e));
-  const double energy = acute(e, {&m[0], &m[1], &m[2]});
+  const double energy = acute(e, {&m[0], &m[1], &m[2]}, &mixed);
   Clipped_element_integrator::Generators generators;
   for(int i = 0; i < 3; ++i)
-    generators.push_back({e.corner[i], &n[i], {}});
-  const double clipped = Clipped_element_integrator()(e, generators);
+    generators.push_back({e.corner[i], &n[i], i, {}});
+  const double clipped = Clipped_element_integrator()(e, generators, &other_mixed);
   CHECK_MSG(std::abs(energy / clipped - 1) < tolerance, std::to_string(energy / clipped));
   for(int i = 0; i < 3; ++i) {
-    CHECK(std::abs(m[i].a.a / n[i].a.a - 1) < tolerance);
-    CHECK(std::hypot(m[i].gx - n[i].gx, m[i].gy - n[i].gy) < tolerance);
+    const Region_moments &p = m[i].moments, &q = n[i].moments;
+    CHECK(std::abs(p.a.a / q.a.a - 1) < tolerance);
+    CHECK(std::hypot(p.gx - q.gx, p.gy - q.gy) < tolerance);
+    CHECK(std::abs(m[i].response.a - n[i].response.a) + std::abs(m[i].response.c - n[i].response.c) < 20 * tolerance);
+    const Face_couplings::Block &c = mixed.block[i], &d = other_mixed.block[i];
+    CHECK(std::abs(c.xx - d.xx) + std::abs(c.xy - d.xy) + std::abs(c.yx - d.yx) + std::abs(c.yy - d.yy) < 20 * tolerance);
   }
+}
+
+// An element that is cut at the middles of its edges, and along the bisectors
+// that pass there, gives the sums of its parts, whatever rounding does to the
+// corners that lie on bisectors.
+void test_cut_through_the_middles()
+{
+  const auto tensor = [](const Vector_of_doubles& x)
+  { return Weighted_tensor(Symmetric_form(1 + 0.3*x.x, 0.1*x.y, 1 - 0.2*x.y), true); };
+  const std::array<Vector_of_doubles, 3> z = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
+  const auto integrate = [&](const std::array<Vector_of_doubles, 3>& corner, std::array<Region_sums, 3>& sums) {
+    Acvt_element e;
+    e.corner = corner;
+    for(int i = 0; i < 3; ++i)
+      e.tensor[i] = tensor(corner[i]);
+    e.middle = tensor(e.barycentre());
+    e.sample_bends(tensor);
+    Clipped_element_integrator::Generators generators;
+    for(int i = 0; i < 3; ++i)
+      generators.push_back({z[i], &sums[i], i, {}});
+    return Clipped_element_integrator()(e, generators, nullptr);
+  };
+  const std::array<Vector_of_doubles, 3> middle = {{{0.7, 0.5}, {0.2, 0.45}, {0.5, 0.05}}};
+  std::array<Region_sums, 3> whole, parts;
+  const double energy = integrate(z, whole);
+  double sum = integrate(middle, parts);
+  for(int i = 0; i < 3; ++i)
+    sum += integrate({z[i], middle[(i + 2) % 3], middle[(i + 1) % 3]}, parts);
+  CHECK_MSG(std::abs(sum / energy - 1) < 1e-3, std::to_string(sum / energy));
+  for(int i = 0; i < 3; ++i) {
+    CHECK(std::abs(parts[i].moments.a.a / whole[i].moments.a.a - 1) < 2e-3);
+    CHECK(std::hypot(parts[i].moments.gx - whole[i].moments.gx, parts[i].moments.gy - whole[i].moments.gy) < 2e-4);
+  }
+}
+
+// With a constant tensor 2 A - R is the Hessian, but for the regions that reach
+// beyond an obtuse face: its product with a random
+// vector against differences of gradients.
+void test_hessian()
+{
+  const Case c = paper_cases()[0];
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(5));
+  const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
+  std::vector<Region_moments> moments;
+  Region_couplings couplings;
+  Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments, couplings);
+
+  CGAL::Random random(3);
+  Region_couplings::Vectors_of_floats direction(mesh.vertex_index_bound()), response;
+  for(Mesh::Vertex_handle v : vertices)
+    direction[v->index()] = {float(random.get_double(-1, 1)), float(random.get_double(-1, 1))};
+  couplings.multiply<CGAL::Sequential_tag>(direction, response);
+
+  const double step = 1e-5;
+  const auto gradients_at = [&](double t) {
+    for(Mesh::Vertex_handle v : vertices)
+      v->set_point(Point(v->point().x() + t * direction[v->index()].x, v->point().y() + t * direction[v->index()].y));
+    std::vector<Region_moments> result;
+    Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(result);
+    return result;
+  };
+  const std::vector<Region_moments> up = gradients_at(step), down = gradients_at(-2 * step);
+  double error = 0, norm = 0;
+  for(Mesh::Vertex_handle v : vertices) {
+    const int i = v->index();
+    const Symmetric_form& a = moments[i].a;
+    const auto d = direction[i];
+    const double x = 2 * (a.a*d.x + a.b*d.y) - response[i].x, y = 2 * (a.b*d.x + a.c*d.y) - response[i].y;
+    const double dx = (down[i].gx - up[i].gx) / step, dy = (down[i].gy - up[i].gy) / step;
+    error += (x - dx) * (x - dx) + (y - dy) * (y - dy);
+    norm += dx*dx + dy*dy;
+  }
+  CHECK_MSG(std::sqrt(error / norm) < 0.01, "relative error of the Hessian " + std::to_string(std::sqrt(error / norm)));
 }
 
 void check_mesh(const Mesh& mesh, const Mesh& start, const std::string& name)
@@ -218,6 +297,50 @@ void test_energy_falls()
   }
 }
 
+class Recording_visitor
+{
+public:
+  explicit Recording_visitor(std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>& states) : m_states(&states) {}
+
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
+  {
+    m_states->push_back(s);
+    return true;
+  }
+
+private:
+  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>* m_states;
+};
+
+// The quasi-Newton method comes below the energy of Lloyd's 100th iterate in a
+// quarter of the evaluations.
+void test_acceleration(const Case& c)
+{
+  const Mesh start = CGAL::make_anisotropic_mesh_2
+    (c.domain, c.field, np::point_placement(CGAL::Anisotropic_mesh_2::Point_placement::EDGE_SUBDIVISION));
+  Mesh by_lloyd = start, quick = start;
+  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> lloyd, newton;
+  CGAL::lloyd_optimize_anisotropic_mesh_2
+    (by_lloyd, np::convergence(0.).number_of_iterations(100).visitor(Recording_visitor(lloyd)));
+  CGAL::acvt_optimize_mesh_2(quick, np::convergence(0.).number_of_iterations(25).visitor(Recording_visitor(newton)));
+  CHECK(newton.front().energy == lloyd.front().energy);
+  const auto below = std::find_if(newton.begin(), newton.end(),
+                                  [&](const auto& s) { return s.energy < lloyd.back().energy; });
+  CHECK_MSG(below != newton.end() && below->evaluations <= 25, c.name + ": "
+            + std::to_string(below == newton.end() ? 0 : below->evaluations) + " evaluations");
+}
+
+// Energy and gradient agree well enough, even where the metric turns or changes
+// within an element, that few steps are tried in vain.
+void test_evaluations_of_rough_metrics(const Case& c)
+{
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> states;
+  CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(50).visitor(Recording_visitor(states)));
+  CHECK_MSG(double(states.back().evaluations) <= 1.1 * double(states.back().iteration) + 1, c.name + ": "
+            + std::to_string(states.back().evaluations) + " evaluations for " + std::to_string(states.back().iteration));
+}
+
 class Stopping_visitor
 {
 public:
@@ -285,6 +408,8 @@ int main()
   test_constant_metric_in_closed_form();
   test_both_integrators(0, 1e-14);
   test_both_integrators(0.1, 5e-3);
+  test_cut_through_the_middles();
+  test_hessian();
   test_moments(cases[4], Measure::RIEMANNIAN, 0.003, 0.005);
   test_moments(cases[1], Measure::RIEMANNIAN, 0.005, 0.01);
   test_moments(cases[1], Measure::LEBESGUE, 0.005, 0.01);
@@ -293,6 +418,10 @@ int main()
   test_lloyd(cases[0], 0);
   test_lloyd(cases[1], 1e-3);
   test_energy_falls();
+  for(std::size_t i : {0, 2, 4})
+    test_acceleration(cases[i]);
+  test_evaluations_of_rough_metrics(cases[3]);
+  test_evaluations_of_rough_metrics(unit_square_cases()[2]);
   test_return_codes();
   test_failing_field();
   test_determinism();

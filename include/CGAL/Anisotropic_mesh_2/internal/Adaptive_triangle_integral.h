@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Triangle_of_doubles.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,7 +34,11 @@ public:
       m_maximum_depth(maximum_depth), m_negligible(negligible_density)
   {}
 
-  double operator()(const Triangle& t) { return refined(t, rule(t), m_maximum_depth); }
+  double operator()(const Triangle& t)
+  {
+    const double whole = rule(t);
+    return refined(t, whole, m_maximum_depth, m_tolerance * std::abs(whole));
+  }
 
   // without quartering; exact for polynomials of degree five
   double rule(const Triangle& t) const
@@ -46,7 +51,10 @@ public:
   }
 
 private:
-  double refined(const Triangle& t, double whole, int depth)
+  // A part may be wrong by its relative tolerance, or else by an allowance that
+  // halves with each quartering: where the density has a kink along a curve, the
+  // number of parts on it only doubles.
+  double refined(const Triangle& t, double whole, int depth, double allowance)
   {
     if(depth == 0 || m_budget == 0)
       return whole;
@@ -56,11 +64,11 @@ private:
     double sum = 0;
     for(int i = 0; i < 4; ++i)
       sum += values[i] = rule(parts[i]);
-    if(std::abs(sum - whole) <= m_tolerance * sum + m_negligible * area(t))
+    if(std::abs(sum - whole) <= std::max(m_tolerance * sum, allowance) + m_negligible * area(t))
       return sum;
     sum = 0;
     for(int i = 0; i < 4; ++i)
-      sum += refined(parts[i], values[i], depth - 1);
+      sum += refined(parts[i], values[i], depth - 1, allowance / 2);
     return sum;
   }
 
