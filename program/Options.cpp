@@ -112,7 +112,7 @@ void declare_methods(CLI::App& app, Options& options)
                  "riemannian or lebesgue; default riemannian");
   app.add_flag("--keep-boundary", options.keep_boundary, "take the given boundary points as they are")
     ->group(group);
-  app.add_option("--threads", options.threads, "accepted; this version works in one thread")
+  app.add_option("--threads", options.threads, "work in so many threads, with the same result; default 1")
     ->type_name("N")->group(group)->check(integer_from(1));
   app.add_option("--seed", options.seed, "accepted; the method has no random choices")
     ->type_name("N")->group(group)->check(integer_from(0));

@@ -15,6 +15,10 @@
 #include <CGAL/Too_many_vertices_exception.h>
 #include <CGAL/assertions_behaviour.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -45,6 +49,9 @@ Mesh meshed(const Options& options, Progress& progress, Run_report& report)
 
 void run(const Options& options)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, options.threads);
+#endif
   Progress progress(options.verbosity);
   check_outputs(options);
   try {

@@ -7,9 +7,11 @@
 #ifndef ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H
 #define ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H
 
+#include "Interruption.h"
 #include "Metric_field.h"
 #include "Options.h"
 #include "Progress.h"
+#include "Remaining_time.h"
 #include "builtin_domains.h"
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
@@ -25,6 +27,7 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
 
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -60,25 +63,32 @@ inline Mesh make_mesh(const Domain_with_metric& input, const Options& options, R
   return mesh;
 }
 
-// Follows an optimizer: progress to the user, the count to the report.
+// Follows an optimizer: progress to the user, the count to the report. An
+// interrupt from the keyboard stops it.
 class Progress_visitor
 {
 public:
-  Progress_visitor(Progress& progress, Run_report& report) : m_progress(&progress), m_report(&report) {}
+  Progress_visitor(const Options& options, Progress& progress, Run_report& report)
+    : m_remaining_time(options), m_progress(&progress), m_report(&report)
+  {}
 
-  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& state) const
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& state)
   {
     m_report->iterations = state.iteration;
     std::ostringstream line;
     line << "iteration " << state.iteration << ", energy " << state.energy << ", largest move "
          << state.largest_move << ", " << state.seconds << " s";
+    const double remaining = m_remaining_time(state);
+    if(remaining >= 0)
+      line << ", " << std::lround(std::ceil(remaining)) << " s left at most";
     m_progress->update(line.str());
-    return true;
+    return !Interruption::is_wanted();
   }
 
 private:
-  Progress*   m_progress;
-  Run_report* m_report;
+  Remaining_time m_remaining_time;
+  Progress*      m_progress;
+  Run_report*    m_report;
 };
 
 inline std::string name_of(CGAL::Mesh_optimization_return_code code)
@@ -88,6 +98,7 @@ inline std::string name_of(CGAL::Mesh_optimization_return_code code)
   case CGAL::CANT_IMPROVE_ANYMORE:         return "no more improvement";
   case CGAL::CONVERGENCE_REACHED:          return "convergence";
   case CGAL::MAX_ITERATION_NUMBER_REACHED: return "number of iterations";
+  case CGAL::BOUND_REACHED:                return "interrupted";
   case CGAL::ALL_VERTICES_FROZEN:          return "all vertices frozen";
   default:                                 return "failure of the optimizer";
   }
@@ -101,7 +112,8 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   const auto parameters = np::convergence(options.tolerance, np::measure(measure_of(options)))
     .number_of_iterations(options.iterations)
     .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
-    .visitor(Progress_visitor(progress, report));
+    .visitor(Progress_visitor(options, progress, report));
+  const Interruption interruption;
   CGAL::Real_timer timer;
   timer.start();
   const CGAL::Mesh_optimization_return_code code = options.optimizer == Optimizer::LLOYD

@@ -27,4 +27,4 @@ build() {
   cmake --build "$folder" --parallel "$(nproc)"
 }
 
-program_packages=(g++ make cmake libcgal-dev libcli11-dev libmuparser-dev nlohmann-json3-dev)
+program_packages=(g++ make cmake libcgal-dev libcli11-dev libmuparser-dev nlohmann-json3-dev libtbb-dev)

@@ -43,7 +43,7 @@ acvt_optimize_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::def
 {
   namespace internal = Anisotropic_mesh_2::internal;
   return internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
-    (mesh, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
+    (mesh, 1e-6, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
 }
 
 } // namespace CGAL

@@ -24,6 +24,9 @@ namespace CGAL {
 /// `acvt_optimize_mesh_2()` reaches the same energy in a fraction of the
 /// iterations; this function is the reference.
 ///
+/// \tparam ConcurrencyTag enables sequential or parallel assembly of the regions: `Sequential_tag`, `Parallel_tag` or
+/// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field from several threads at
+/// the same time. The result is the same to the bit.
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters
 /// \param mesh the mesh, with its domain marked.
@@ -40,6 +43,11 @@ namespace CGAL {
 ///       the mass centre of its region than this, measured in the tensor of the vertex}
 ///     \cgalParamType{`double`, not negative}
 ///     \cgalParamDefault{0.001, a thousandth of the ideal length of an edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{energy_reduction}
+///     \cgalParamDescription{the iteration stops when ten iterations have lowered the energy by less than this share of it}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0: this does not stop it}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_running_time}
 ///     \cgalParamDescription{real time in seconds after which no new iteration begins; 0 for no limit}
@@ -66,6 +74,7 @@ namespace CGAL {
 /// \cgalNamedParamsEnd
 ///
 /// \return why it stopped: `CONVERGENCE_REACHED`, `MAX_ITERATION_NUMBER_REACHED`,
+/// `CANT_IMPROVE_ANYMORE` if the energy fell too little,
 /// `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
 /// `ALL_VERTICES_FROZEN` if no vertex is free to move. The mesh is valid in each case.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
@@ -75,7 +84,7 @@ lloyd_optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::pa
 {
   namespace internal = Anisotropic_mesh_2::internal;
   return internal::optimize_acvt<ConcurrencyTag, internal::Vertex_reinserter<Mesh> >
-    (mesh, [](auto& optimizer) { return optimizer.lloyd(); }, np);
+    (mesh, 0., [](auto& optimizer) { return optimizer.lloyd(); }, np);
 }
 
 } // namespace CGAL

@@ -18,6 +18,7 @@ namespace internal {
 struct maximum_number_of_vertices_t {};
 struct keep_boundary_points_t {};
 struct point_placement_t {};
+struct energy_reduction_t {};
 struct measure_t {};
 struct region_evaluation_t {};
 
@@ -44,6 +45,15 @@ template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::convergence_t, T, Tag, Base>
 convergence(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::convergence_t, T, Tag, Base>(v, np); }
+
+/// the share of the energy by which ten iterations of an optimizer must lower it, lest it stops.
+template <class Value>
+Parameter<Value, internal::energy_reduction_t> energy_reduction(const Value& v)
+{ return Parameter<Value, internal::energy_reduction_t>(v); }
+template <class Value, class T, class Tag, class Base>
+Chained_parameter<Value, internal::energy_reduction_t, T, Tag, Base>
+energy_reduction(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
+{ return Chained_parameter<Value, internal::energy_reduction_t, T, Tag, Base>(v, np); }
 
 /// the `Measure` of energies and mass centres.
 template <class Value>

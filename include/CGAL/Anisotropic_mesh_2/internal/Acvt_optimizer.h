@@ -33,6 +33,7 @@ struct Stopping_criteria
 {
   std::size_t number_of_iterations = 100;
   double convergence = 1e-3;   // on the largest metric length of a Lloyd move
+  double energy_reduction = 0; // relative, by ten iterations; 0 for any
   double time_limit = 0;       // in seconds; 0 for none
 };
 
@@ -67,6 +68,8 @@ public:
       m_mover.move_to(target);
       m_state.energy = m_evaluate(m_moments);
       summarize();
+      if(m_criteria.energy_reduction > 0 && is_stalled())
+        return CANT_IMPROVE_ANYMORE;
     }
   }
 
@@ -89,8 +92,7 @@ private:
   static constexpr int    maximum_trials = 6;
   // The energy jumps a little where elements are quartered or edges flipped.
   static constexpr double energy_noise = 1e-4;
-  static constexpr double least_progress = 1e-6;
-  static constexpr int    patience = 10;
+  static constexpr std::size_t patience = 10;
   // A step may raise the energy as long as it stays below the highest one of some
   // steps before: that saves many evaluations, and noise does not stop the method.
   static constexpr std::size_t memory_of_energies = 6;
@@ -227,7 +229,7 @@ private:
   // Whether the lowest energy so far is older than some iterations.
   bool is_stalled()
   {
-    if(m_state.energy < m_lowest_energy * (1 - least_progress)) {
+    if(m_state.energy < m_lowest_energy * (1 - m_criteria.energy_reduction)) {
       m_lowest_energy = m_state.energy;
       m_iteration_of_lowest = m_state.iteration;
     }

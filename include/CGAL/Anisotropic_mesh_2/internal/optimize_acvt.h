@@ -27,7 +27,8 @@ namespace internal {
 // Reads the named parameters that both optimizers share, sets up an optimizer
 // with the given way to move vertices, and runs `method` on it.
 template <class ConcurrencyTag, class Mover, class Mesh, class Method, class NamedParameters>
-Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, const NamedParameters& np)
+Mesh_optimization_return_code optimize_acvt(Mesh& mesh, double energy_reduction, const Method& method,
+                                           const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
@@ -37,7 +38,9 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, const Method& method, co
                                                    criteria.number_of_iterations);
   criteria.time_limit = choose_parameter(get_parameter(np, internal_np::maximum_running_time), criteria.time_limit);
   criteria.convergence = choose_parameter(get_parameter(np, convergence_t()), criteria.convergence);
+  criteria.energy_reduction = choose_parameter(get_parameter(np, energy_reduction_t()), energy_reduction);
   CGAL_precondition(criteria.time_limit >= 0);
+  CGAL_precondition(criteria.energy_reduction >= 0);
   CGAL_precondition(criteria.convergence >= 0);
   const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
 
