@@ -7,10 +7,34 @@
 #ifndef CGAL_ACVT_OPTIMIZE_MESH_2_H
 #define CGAL_ACVT_OPTIMIZE_MESH_2_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/Mesh_improver.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimize_acvt.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
+#include <CGAL/Anisotropic_mesh_2/parameters.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+
+#include <cstddef>
 
 namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// whether topological moves are to follow an optimization that has ended with `code`
+template <class NamedParameters>
+bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const bool makes_unit_mesh = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN) == Measure::RIEMANNIAN;
+  return choose_parameter(get_parameter(np, topological_moves_t()), makes_unit_mesh)
+      && choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0
+      && code != BOUND_REACHED && code != TIME_LIMIT_REACHED;
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
@@ -20,18 +44,42 @@ namespace CGAL {
 /// The gradient of the energy and the mass centres come from the same
 /// integrals, since the directional distance to a generator does not depend on
 /// the tessellation to first order: Lloyd's iteration is the gradient method
-/// preconditioned by the matrices of the mass centres. Here these precondition
-/// the L-BFGS method. Steps that do not lower the energy are shortened, and so
-/// are moves that would invert a face. The triangulation is updated in place by
-/// flips; handles to vertices stay valid.
+/// preconditioned by the matrices \f$ A_i \f$ of the mass centres. The motion of the bisectors
+/// gives the rest of the Hessian. The L-BFGS method is preconditioned by two steps
+/// of Chebyshev's iteration with that Hessian, which reaches the energy of
+/// a hundred iterations of Lloyd in ten to fifteen. A step is shortened if the energy after it
+/// exceeds that of the last six iterates, and so are moves that would invert a face. The
+/// triangulation is updated in place by flips.
+///
+/// At the end, faces of low quality are improved if the measure is the
+/// Riemannian one: where the tessellation of least energy has badly shaped faces, next to pairs of vertices of degree 5 and 7 or
+/// where the metric changes much within a face, vertices leave their mass centres,
+/// and vertices are inserted or removed if that helps (edges swapping and vertex
+/// smoothing in section 3.2 of \cgalCite{dw-acvt-05}). The sum of the demerits of
+/// the faces falls with each such move, the least quality around it does not, and
+/// no more edges than before are outside of \f$ [\sqrt{1/2}, \sqrt 2] \f$. Handles
+/// to vertices that are not removed stay valid; vertices that are not on
+/// constrained edges may get the indices of removed ones.
 ///
 /// Vertices on constrained edges stay where they are.
 ///
+/// \tparam ConcurrencyTag as for `lloyd_optimize_anisotropic_mesh_2()`; the vertices are moved by all threads as well.
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters
 /// \param mesh the mesh, with its domain marked.
 /// \param np an optional sequence of named parameters, those of
-/// `lloyd_optimize_anisotropic_mesh_2()`, with the same defaults
+/// `lloyd_optimize_anisotropic_mesh_2()`, with the same defaults but for `energy_reduction`
+/// (\f$ 10^{-6} \f$), and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{topological_moves}
+///     \cgalParamDescription{whether faces of low quality are improved at the end, unless the time
+///       limit or the visitor has stopped the optimization. If not, handles to vertices and their indices stay.}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{whether the measure is `RIEMANNIAN`: with that of Lebesgue the optimum is no unit
+///       mesh and has faces of less quality, and these moves would raise its energy by some percent}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return why it stopped, as `lloyd_optimize_anisotropic_mesh_2()`, and
 /// `CANT_IMPROVE_ANYMORE` if no step lowers the energy within the accuracy to
@@ -42,8 +90,12 @@ Mesh_optimization_return_code
 acvt_optimize_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   namespace internal = Anisotropic_mesh_2::internal;
-  return internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
-    (mesh, 1e-6, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
+  const Mesh_optimization_return_code code
+    = internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
+        (mesh, 1e-6, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
+  if(internal::are_topological_moves_due(code, np))
+    internal::Mesh_improver<Mesh>{mesh}();
+  return code;
 }
 
 } // namespace CGAL

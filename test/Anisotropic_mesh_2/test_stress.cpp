@@ -254,17 +254,24 @@ public:
 
   void run()
   {
-    CGAL::acvt_optimize_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(5));
+    optimize(5);
     check(m_mesh, "after the quasi-Newton method");
     change(30);
     CGAL::lloyd_optimize_anisotropic_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(2));
     check(m_mesh, "after Lloyd's iteration");
     change(10);
-    CGAL::acvt_optimize_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(2));
+    optimize(2);
     check(m_mesh, "at the end");
   }
 
 private:
+  // topological moves may insert and remove
+  void optimize(int iterations)
+  {
+    CGAL::acvt_optimize_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(iterations));
+    m_vertices = m_mesh.number_of_vertices();
+  }
+
   void check(const Mesh& mesh, const char* when) const
   {
     const std::string what = m_what + ", " + when;

@@ -21,6 +21,7 @@ struct point_placement_t {};
 struct energy_reduction_t {};
 struct measure_t {};
 struct region_evaluation_t {};
+struct topological_moves_t {};
 
 } // namespace internal
 
@@ -99,6 +100,15 @@ template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::region_evaluation_t, T, Tag, Base>
 region_evaluation(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::region_evaluation_t, T, Tag, Base>(v, np); }
+
+/// whether an optimizer improves faces of low quality at the end, also by insertions and removals.
+template <class Value>
+Parameter<Value, internal::topological_moves_t> topological_moves(const Value& v)
+{ return Parameter<Value, internal::topological_moves_t>(v); }
+template <class Value, class T, class Tag, class Base>
+Chained_parameter<Value, internal::topological_moves_t, T, Tag, Base>
+topological_moves(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
+{ return Chained_parameter<Value, internal::topological_moves_t, T, Tag, Base>(v, np); }
 
 } // namespace parameters
 } // namespace Anisotropic_mesh_2

@@ -1,0 +1,111 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_PATCH_FLIPPER_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_PATCH_FLIPPER_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Mesh_patch.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Unit_band.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// Decides about the edges of a patch.
+//
+// Where the tensors of the four vertices around an edge are multiples of one,
+// the criterion of the triangulation does not depend on the order of insertion
+// and decides; elsewhere the lower quality of the two faces does.
+template <class Mesh>
+class Patch_flipper
+{
+  typedef Mesh_patch<Mesh>               Patch;
+  typedef typename Patch::Vertex         Vertex;
+  typedef typename Patch::Face           Face;
+  typedef typename Patch::Rim_edge       Rim_edge;
+
+public:
+  explicit Patch_flipper(const Mesh& mesh) : m_mesh(mesh), m_band(mesh) {}
+
+  // Flips edges until none is wanted, and tells whether it did one.
+  bool operator()(Patch& patch) const
+  {
+    const int maximum = 2 * patch.number_of_faces(); // rounding errors might let them go on
+    int flips = 0, before;
+    do {
+      before = flips;
+      for(int f = 0; f < patch.number_of_faces(); ++f)
+        for(int i = 0; i < 3; ++i)
+          if(patch.faces()[f].is_used && is_wanted(patch, f, i)) {
+            patch.flip(f, i);
+            ++flips;
+          }
+    } while(flips > before && flips < maximum);
+    return flips > 0;
+  }
+
+  // whether what has changed within makes the criterion ask for no flip of an edge of the rim
+  bool keeps_rim(const Patch& patch) const
+  {
+    for(const Rim_edge& e : patch.rim())
+      if(e.beyond != typename Patch::Vertex_handle() && is_to_be_flipped(patch, e))
+        return false;
+    return true;
+  }
+
+private:
+  static constexpr double least_rise = 1e-6; // of a quality, so that flips come to an end
+
+  bool is_wanted(const Patch& patch, int f, int i) const
+  {
+    if(!patch.is_flippable(f, i))
+      return false;
+    const Face &face = patch.faces()[f], &other = patch.faces()[face.neighbor[i]];
+    const int p = face.vertex[i], a = face.vertex[Patch::ccw(i)], b = face.vertex[Patch::cw(i)];
+    const int q = patch.opposite(f, i);
+    const auto& v = patch.vertices();
+    if(are_multiples(v[p], v[a], v[b], v[q]))
+      return is_in_conflict(v[p], v[a], v[b], v[q]);
+    return std::min(patch.quality(p, a, q), patch.quality(q, b, p)) > std::min(face.quality, other.quality) + least_rise
+        && (m_band.permits(v[p], v[q]) || !m_band.permits(v[a], v[b]));
+  }
+
+  bool is_to_be_flipped(const Patch& patch, const Rim_edge& e) const
+  {
+    const std::array<int, 2> inside = patch.rim_edge(e.source, e.target);
+    const Vertex &p = patch.vertices()[patch.faces()[inside[0]].vertex[inside[1]]], q(e.beyond);
+    const Vertex &a = patch.vertices()[e.source], &b = patch.vertices()[e.target];
+    return are_multiples(p, a, b, q) && is_in_conflict(p, a, b, q)
+        && m_mesh.orientation(p.point, a.point, q.point) == LEFT_TURN
+        && m_mesh.orientation(q.point, b.point, p.point) == LEFT_TURN;
+  }
+
+  static bool are_multiples(const Vertex& p, const Vertex& a, const Vertex& b, const Vertex& q)
+  {
+    return is_multiple_of(a.tensor, p.tensor) && is_multiple_of(b.tensor, p.tensor)
+        && is_multiple_of(q.tensor, p.tensor);
+  }
+
+  bool is_in_conflict(const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& p) const
+  {
+    return m_mesh.geom_traits().side_of_metric_circle_2_object()
+             (a.point, b.point, c.point, p.point, a.tensor, b.tensor, c.tensor, p.tensor) == ON_POSITIVE_SIDE;
+  }
+
+  const Mesh& m_mesh;
+  const Unit_band<Mesh> m_band;
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_PATCH_FLIPPER_H
