@@ -10,6 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
@@ -18,15 +19,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
-template <class Mesh>
+template <class Mesh, class ConcurrencyTag>
 class Statistics_collector
 {
+  typedef typename Mesh::Point         Point;
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Face_handle   Face_handle;
 
@@ -35,7 +38,10 @@ public:
 
   Mesh_statistics operator()()
   {
+    faces_in_domain(m_mesh, m_faces);
     count();
+    if(m_result.triangles == 0)
+      return m_result;
     measure_edges();
     measure_faces();
     measure_energy();
@@ -43,76 +49,130 @@ public:
   }
 
 private:
+  // of some values
+  struct Summary
+  {
+    std::size_t number = 0;
+    double sum = 0, least = std::numeric_limits<double>::infinity(), largest = -least;
+
+    void add(double value)
+    {
+      ++number;
+      sum += value;
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+    Summary& operator+=(const Summary& s)
+    {
+      number += s.number;
+      sum += s.sum;
+      least = std::min(least, s.least);
+      largest = std::max(largest, s.largest);
+      return *this;
+    }
+    double mean() const { return sum / double(number); }
+  };
+
+  struct Edge_summary
+  {
+    Summary     lengths;
+    std::size_t unit = 0;
+
+    Edge_summary& operator+=(const Edge_summary& s)
+    {
+      lengths += s.lengths;
+      unit += s.unit;
+      return *this;
+    }
+  };
+
+  struct Face_summary
+  {
+    Summary qualities, qualities_min3;
+
+    Face_summary& operator+=(const Face_summary& s)
+    {
+      qualities += s.qualities;
+      qualities_min3 += s.qualities_min3;
+      return *this;
+    }
+  };
+
+  // what `add(face, summary)` gathers over the faces of the domain
+  template <class Sum, class Add>
+  Sum summarize(const Add& add) const
+  {
+    std::vector<Sum> of_chunk(number_of_chunks(m_faces.size()));
+    for_each_chunk<ConcurrencyTag>(m_faces.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+      for(std::size_t k = begin; k < end; ++k)
+        add(m_faces[k], of_chunk[chunk]);
+    });
+    return std::accumulate(of_chunk.begin(), of_chunk.end(), Sum(), [](Sum s, const Sum& t) { return s += t; });
+  }
+
   void count()
   {
     std::vector<bool> is_used(m_mesh.vertex_index_bound(), false);
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
-      if(f->is_in_domain()) {
-        ++m_result.triangles;
-        for(int i = 0; i < 3; ++i)
-          is_used[f->vertex(i)->index()] = true;
-      }
+    for(Face_handle f : m_faces)
+      for(int i = 0; i < 3; ++i)
+        is_used[f->vertex(i)->index()] = true;
+    m_result.triangles = m_faces.size();
     m_result.vertices = std::count(is_used.begin(), is_used.end(), true);
+  }
+
+  // whether the edge is to be looked at from this face
+  static bool is_own_edge(Face_handle f, int i)
+  {
+    return !f->neighbor(i)->is_in_domain() || f->vertex(Mesh::ccw(i))->index() < f->vertex(Mesh::cw(i))->index();
   }
 
   void measure_edges()
   {
     const auto length = m_mesh.geom_traits().compute_riemannian_length_2_object();
-    std::size_t edges = 0, unit = 0;
-    double sum = 0, least = std::numeric_limits<double>::infinity(), largest = 0;
-    for(auto e = m_mesh.finite_edges_begin(); e != m_mesh.finite_edges_end(); ++e) {
-      if(!e->first->is_in_domain() && !e->first->neighbor(e->second)->is_in_domain())
-        continue;
-      const double l = length(e->first->vertex(Mesh::ccw(e->second))->point(),
-                              e->first->vertex(Mesh::cw(e->second))->point());
-      ++edges;
-      unit += l >= std::sqrt(0.5) && l <= std::sqrt(2.);
-      sum += l;
-      least = std::min(least, l);
-      largest = std::max(largest, l);
-    }
-    if(edges == 0)
-      return;
-    m_result.edge_length_mean = sum / double(edges);
-    m_result.edge_length_min = least;
-    m_result.edge_length_max = largest;
-    m_result.edge_length_unit_share = double(unit) / double(edges);
+    const auto edges = summarize<Edge_summary>([&](Face_handle f, Edge_summary& sum) {
+      for(int i = 0; i < 3; ++i)
+        if(is_own_edge(f, i)) {
+          const double l = length(f->vertex(Mesh::ccw(i))->point(), f->vertex(Mesh::cw(i))->point());
+          sum.lengths.add(l);
+          sum.unit += l >= std::sqrt(0.5) && l <= std::sqrt(2.);
+        }
+    });
+    m_result.edge_length_mean = edges.lengths.mean();
+    m_result.edge_length_min = edges.lengths.least;
+    m_result.edge_length_max = edges.lengths.largest;
+    m_result.edge_length_unit_share = double(edges.unit) / double(edges.lengths.number);
   }
 
   void measure_faces()
   {
-    if(m_result.triangles == 0)
-      return;
     const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
-    double sum = 0, sum3 = 0, least = 1, least3 = 1;
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f) {
-      if(!f->is_in_domain())
-        continue;
-      const auto &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
-      const typename Mesh::Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-      const double q = metric_quality(a, b, c, Symmetric_form(tensor(barycentre)));
+    const auto faces = summarize<Face_summary>([&](Face_handle f, Face_summary& sum) {
+      const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
+      const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
+      sum.qualities.add(metric_quality(a, b, c, Symmetric_form(tensor(barycentre))));
       double q3 = 1;
       for(int i = 0; i < 3; ++i)
         q3 = std::min(q3, metric_quality(a, b, c, Symmetric_form(f->vertex(i)->metric_tensor())));
-      sum += q;
-      sum3 += q3;
-      least = std::min(least, q);
-      least3 = std::min(least3, q3);
-    }
-    m_result.quality_mean = sum / double(m_result.triangles);
-    m_result.quality_min = least;
-    m_result.quality_min3_mean = sum3 / double(m_result.triangles);
-    m_result.quality_min3_min = least3;
+      sum.qualities_min3.add(q3);
+    });
+    m_result.quality_mean = faces.qualities.mean();
+    m_result.quality_min = faces.qualities.least;
+    m_result.quality_min3_mean = faces.qualities_min3.mean();
+    m_result.quality_min3_min = faces.qualities_min3.least;
+  }
+
+  double area(double exponent) const
+  {
+    return metric_area<ConcurrencyTag>(m_mesh, m_faces, exponent, 1e-5, 1000000 + 4 * m_faces.size());
   }
 
   void measure_energy()
   {
-    const double area = metric_area(m_mesh, 0.5, 1e-5, quarterings());
-    m_result.ideal_vertices = ideal_number_of_vertices(area);
+    const double riemannian_area = area(0.5);
+    m_result.ideal_vertices = ideal_number_of_vertices(riemannian_area);
     std::vector<Region_moments> moments;
-    m_result.energy = Acvt_energy<Mesh>(m_mesh, m_measure, Acvt_accuracy{0.1, 0.1, 4})(moments);
-    const double density_integral
-      = m_measure == Measure::RIEMANNIAN ? area : metric_area(m_mesh, 0.25, 1e-5, quarterings());
+    m_result.energy = Acvt_energy<Mesh, ConcurrencyTag>(m_mesh, m_measure, Acvt_accuracy{0.05, 0.2, 3})(moments);
+    const double density_integral = m_measure == Measure::RIEMANNIAN ? riemannian_area : area(0.25);
     // the second moment of a regular hexagon of unit area
     const double hexagon = 5 / (18 * std::sqrt(3.));
     m_result.energy_ratio = m_result.energy * double(m_result.triangles) / 2
@@ -125,10 +185,9 @@ private:
     }
   }
 
-  std::size_t quarterings() const { return 1000000 + 4 * m_result.triangles; }
-
   const Mesh& m_mesh;
   const Measure m_measure;
+  std::vector<Face_handle> m_faces; // of the domain
   Mesh_statistics m_result;
 };
 
@@ -141,15 +200,16 @@ private:
 ///
 /// The field is evaluated a few dozen times per vertex, more often where it varies much.
 ///
+/// \tparam ConcurrencyTag as for `acvt_optimize_mesh_2()`; the result is the same to the bit.
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \param mesh the mesh, with its domain marked.
 /// \param measure the measure of the energy.
-template <class Mesh>
+template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh>
 Anisotropic_mesh_2::Mesh_statistics
 anisotropic_mesh_statistics_2(const Mesh& mesh,
                               Anisotropic_mesh_2::Measure measure = Anisotropic_mesh_2::Measure::RIEMANNIAN)
 {
-  return Anisotropic_mesh_2::internal::Statistics_collector<Mesh>(mesh, measure)();
+  return Anisotropic_mesh_2::internal::Statistics_collector<Mesh, ConcurrencyTag>(mesh, measure)();
 }
 
 } // namespace CGAL
