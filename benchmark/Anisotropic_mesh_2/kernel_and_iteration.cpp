@@ -80,7 +80,7 @@ BENCHMARK(constrained_delaunay)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(generalized_kernel, Graded)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(generalized_kernel, Rotating)->Arg(100000)->Unit(benchmark::kMillisecond);
 
-// ------------------------------------------------------------- iterations on an isotropic mesh of the unit square
+// ------------------------------------------------------------- iterations
 
 struct Isotropic
 {
@@ -88,29 +88,80 @@ struct Isotropic
   Tensor operator()(const Point&) const { return Tensor::from_size(size); }
 };
 
-auto isotropic_mesh(std::int64_t vertices)
+// sizes that grow along x and y, of which 10 000 vertices fill the square of side 4 for the scale 0.15
+struct Scaled
 {
-  CGAL::Anisotropic_mesh_domain_2<K> square;
-  square.add_polygon(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  return CGAL::make_anisotropic_mesh_2(square, Isotropic{std::sqrt(2 / std::sqrt(3.) / double(vertices))});
+  double scale;
+  Tensor operator()(const Point& p) const
+  {
+    return Tensor::from_sizes(scale * (0.031 + p.x() / 4), scale * (0.031 + p.y() / 4));
+  }
+};
+
+// a ratio of sizes of 1000, oblique to the axes and slowly turning
+struct Thousand_to_one
+{
+  double size;
+  Tensor operator()(const Point& p) const { return Tensor::from_sizes(size / 30, size * 1000 / 30, 0.3 + 1e-4 * p.x()); }
+};
+
+CGAL::Anisotropic_mesh_domain_2<K> square(double side)
+{
+  CGAL::Anisotropic_mesh_domain_2<K> domain;
+  domain.add_polygon(std::vector<Point>{{0, 0}, {side, 0}, {side, side}, {0, side}});
+  return domain;
+}
+
+// By subdivision of edges, which leaves enough to do for an optimizer.
+template <class Field>
+auto mesh_to_optimize(double side, const Field& field)
+{
+  return CGAL::make_anisotropic_mesh_2
+    (square(side), field, np::point_placement(CGAL::Anisotropic_mesh_2::Point_placement::EDGE_SUBDIVISION));
+}
+
+Isotropic isotropic(std::int64_t vertices) { return {std::sqrt(2 / std::sqrt(3.) / double(vertices))}; }
+
+constexpr int iterations = 10;
+
+template <class Mesh, class Optimize>
+void time_iterations(benchmark::State& state, const Mesh& start, const Optimize& optimize)
+{
+  for(auto _ : state) {
+    state.PauseTiming();
+    Mesh mesh = start;
+    state.ResumeTiming();
+    optimize(mesh);
+  }
+  state.SetItemsProcessed(state.iterations() * iterations * std::int64_t(start.number_of_vertices()));
+}
+
+template <class Mesh>
+void time_acvt(benchmark::State& state, const Mesh& start)
+{
+  time_iterations(state, start, [](Mesh& mesh) {
+    CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(iterations));
+  });
 }
 
 void lloyd_iteration(benchmark::State& state)
 {
-  auto mesh = isotropic_mesh(state.range(0));
-  for(auto _ : state)
-    CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(10));
-  state.SetItemsProcessed(state.iterations() * 10 * std::int64_t(mesh.number_of_vertices()));
+  const auto start = mesh_to_optimize(1, isotropic(state.range(0)));
+  time_iterations(state, start, [](auto& mesh) {
+    CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(iterations));
+  });
 }
 
-void acvt_iteration(benchmark::State& state)
+void acvt_iteration(benchmark::State& state) { time_acvt(state, mesh_to_optimize(1, isotropic(state.range(0)))); }
+
+void acvt_iteration_graded(benchmark::State& state)
 {
-  const auto start = isotropic_mesh(state.range(0));
-  for(auto _ : state) {
-    auto mesh = start;
-    CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(10));
-  }
-  state.SetItemsProcessed(state.iterations() * 10 * std::int64_t(start.number_of_vertices()));
+  time_acvt(state, mesh_to_optimize(4, Scaled{std::sqrt(226.88 / double(state.range(0)))}));
+}
+
+void acvt_iteration_1000_to_1(benchmark::State& state)
+{
+  time_acvt(state, mesh_to_optimize(1, Thousand_to_one{isotropic(state.range(0)).size}));
 }
 
 // On the same points. The classes behind CGAL::lloyd_optimize_mesh_2(), whose
@@ -124,7 +175,7 @@ void cgal_lloyd_iteration(benchmark::State& state)
   typedef CGAL::Mesh_2::Mesh_sizing_field<Cdt>                       Sizing;
   typedef CGAL::Mesh_2::Lloyd_move_2<Cdt, Sizing>                    Move;
 
-  const auto mesh = isotropic_mesh(state.range(0));
+  const auto mesh = mesh_to_optimize(1, isotropic(state.range(0)));
   Cdt cdt;
   for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
     cdt.insert(v->point());
@@ -134,32 +185,47 @@ void cgal_lloyd_iteration(benchmark::State& state)
   const std::vector<Point> no_seeds;
   CGAL::Delaunay_mesher_2<Cdt, CGAL::Delaunay_mesh_size_criteria_2<Cdt> >
     ::mark_facets(cdt, no_seeds.begin(), no_seeds.end());
+  const int some = state.range(0) < 50000 ? iterations : 2; // a minute would pass
   for(auto _ : state) {
     CGAL::Mesh_2::Mesh_global_optimizer_2<Cdt, Move> optimizer(cdt, 0., 0.);
-    optimizer(10);
+    optimizer(some);
   }
-  state.SetItemsProcessed(state.iterations() * 10 * std::int64_t(mesh.number_of_vertices()));
+  state.SetItemsProcessed(state.iterations() * some * std::int64_t(mesh.number_of_vertices()));
 }
 
-BENCHMARK(cgal_lloyd_iteration)->Arg(10000)->Unit(benchmark::kMillisecond);
+BENCHMARK(cgal_lloyd_iteration)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(lloyd_iteration)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(acvt_iteration)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(acvt_iteration_graded)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(acvt_iteration_1000_to_1)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 // ------------------------------------------------------------- from nothing
 
-void unit_mesh(benchmark::State& state)
+template <class Field>
+void time_meshing(benchmark::State& state, double side, const Field& field)
 {
-  CGAL::Anisotropic_mesh_domain_2<K> square;
-  square.add_polygon(std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
-  const double scale = std::sqrt(226.88 / double(state.range(0)));
+  const auto domain = square(side);
   std::size_t n = 0;
   for(auto _ : state)
-    n = CGAL::make_anisotropic_mesh_2(square, [scale](const Point& p)
-          { return Tensor::from_sizes(scale * (0.031 + p.x() / 4), scale * (0.031 + p.y() / 4)); }).number_of_vertices();
+    n = CGAL::make_anisotropic_mesh_2(domain, field).number_of_vertices();
   state.SetItemsProcessed(state.iterations() * std::int64_t(n));
 }
 
-BENCHMARK(unit_mesh)->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+void unit_mesh(benchmark::State& state) { time_meshing(state, 1, isotropic(state.range(0))); }
+
+void unit_mesh_graded(benchmark::State& state)
+{
+  time_meshing(state, 4, Scaled{std::sqrt(226.88 / double(state.range(0)))});
+}
+
+void unit_mesh_1000_to_1(benchmark::State& state)
+{
+  time_meshing(state, 1, Thousand_to_one{isotropic(state.range(0)).size});
+}
+
+BENCHMARK(unit_mesh)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(unit_mesh_graded)->Arg(1000)->Arg(10000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond);
+BENCHMARK(unit_mesh_1000_to_1)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 
 } // namespace
 

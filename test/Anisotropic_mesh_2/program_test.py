@@ -12,6 +12,7 @@ usage: program_test.py PROGRAM [DATA_DIRECTORY]
 import json
 import math
 import os
+import signal
 import subprocess
 import sys
 import tempfile
@@ -221,6 +222,30 @@ def test_progress(t):
     verbose = t.run(*few, "--verbose")
     t.check(verbose.returncode == 0 and verbose.stderr.count("\n") >= 3, f"progress if asked: {verbose.stderr}")
     t.check(verbose.stdout == "", "progress on standard error only")
+    t.check(" s left at most" in verbose.stderr, f"the time that remains: {verbose.stderr}")
+
+
+def test_threads(t):
+    meshes = []
+    for n in ("1", "2", "8"):
+        t.succeed("builtin:square4", "--scale", "0.3", "--iterations", "10", "--threads", n, "-o", f"threads{n}.mesh")
+        meshes.append(t.read(f"threads{n}.mesh"))
+    t.check(meshes[0] == meshes[1] == meshes[2], "the same mesh with any number of threads")
+
+
+def test_interrupt(t):
+    arguments = ["builtin:square4", "--scale", "0.05", "--optimizer", "lloyd", "--iterations", "1000000",
+                 "--tolerance", "0", "--stats", "interrupted.json", "-o", "interrupted.mesh", "--verbose"]
+    child = subprocess.Popen([t.program] + arguments, cwd=t.directory, stderr=subprocess.PIPE, text=True)
+    while not child.stderr.readline().startswith("iteration 1,"):
+        if child.poll() is not None:
+            break
+    child.send_signal(signal.SIGINT)
+    child.communicate(timeout=300)
+    t.check(child.returncode == 0, f"an interrupt ends the program in good order: {child.returncode}")
+    stats = json.loads(t.read("interrupted.json"))
+    t.check(stats["stop_reason"] == "interrupted", f"stopped by {stats['stop_reason']}")
+    t.check(len(section(t.read("interrupted.mesh"), "Triangles")) == stats["triangles"], "the mesh is written")
 
 
 def test_metrics(t):
