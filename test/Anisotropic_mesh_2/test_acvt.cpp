@@ -330,6 +330,23 @@ void test_acceleration(const Case& c)
             + std::to_string(below == newton.end() ? 0 : below->evaluations) + " evaluations");
 }
 
+// The triangulation updated in place and the one built anew from the empty mesh
+// after each step lead to the same energy.
+void test_ways_to_move(const Case& c)
+{
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  Mesh in_place = start, rebuilt = start;
+  const auto method = [](auto& optimizer) { return optimizer.quasi_newton(); };
+  const auto parameters = np::convergence(0.).number_of_iterations(30);
+  optimize_acvt<CGAL::Sequential_tag, Vertex_mover<Mesh> >(in_place, 0., method, parameters);
+  optimize_acvt<CGAL::Sequential_tag, Vertex_reinserter<Mesh> >(rebuilt, 0., method, parameters);
+  std::vector<Region_moments> ignored;
+  const double ratio = Acvt_energy<Mesh>(in_place, Measure::RIEMANNIAN)(ignored)
+                     / Acvt_energy<Mesh>(rebuilt, Measure::RIEMANNIAN)(ignored);
+  CHECK_MSG(std::abs(ratio - 1) < 1e-3, c.name + ": energy in place over that of a rebuild " + std::to_string(ratio));
+  CHECK(in_place.is_valid() && rebuilt.is_valid());
+}
+
 // Energy and gradient agree well enough, even where the metric turns or changes
 // within an element, that few steps are tried in vain.
 void test_evaluations_of_rough_metrics(const Case& c)
@@ -420,6 +437,8 @@ int main()
   test_energy_falls();
   for(std::size_t i : {0, 2, 4})
     test_acceleration(cases[i]);
+  for(const Case& c : cases)
+    test_ways_to_move(c);
   test_evaluations_of_rough_metrics(cases[3]);
   test_evaluations_of_rough_metrics(unit_square_cases()[2]);
   test_return_codes();
