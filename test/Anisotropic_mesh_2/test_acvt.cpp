@@ -217,7 +217,8 @@ void test_hessian()
     const int i = v->index();
     const Symmetric_form& a = moments[i].a;
     const auto d = direction[i];
-    const double x = 2 * (a.a*d.x + a.b*d.y) - response[i].x, y = 2 * (a.b*d.x + a.c*d.y) - response[i].y;
+    const double unit = couplings.unit_of_stiffness();
+    const double x = 2 * (a.a*d.x + a.b*d.y) - unit * response[i].x, y = 2 * (a.b*d.x + a.c*d.y) - unit * response[i].y;
     const double dx = (down[i].gx - up[i].gx) / step, dy = (down[i].gy - up[i].gy) / step;
     error += (x - dx) * (x - dx) + (y - dy) * (y - dy);
     norm += dx*dx + dy*dy;

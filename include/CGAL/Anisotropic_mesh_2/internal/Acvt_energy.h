@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -38,7 +39,7 @@ public:
   static constexpr bool has_couplings = true;
 
   Acvt_energy(const Mesh& mesh, Measure measure, const Acvt_accuracy& accuracy = Acvt_accuracy())
-    : m_mesh(mesh),
+    : m_mesh(mesh), m_is_riemannian(measure == Measure::RIEMANNIAN),
       m_assemblers(blocks_at_once, Face_block_assembler<Mesh>(mesh, measure == Measure::RIEMANNIAN, accuracy))
   {}
 
@@ -61,7 +62,7 @@ private:
     const std::size_t number_of_blocks = (m_faces.size() + faces_of_block - 1) / faces_of_block;
     moments.assign(m_mesh.vertex_index_bound(), Region_moments());
     if(couplings)
-      couplings->resize(number_of_blocks, moments.size());
+      resize(*couplings, number_of_blocks);
     double energy = 0;
     for(std::size_t first = 0; first < number_of_blocks; first += blocks_at_once) {
       const std::size_t n = std::min(blocks_at_once, number_of_blocks - first);
@@ -75,7 +76,24 @@ private:
   void assemble_block(Face_block_assembler<Mesh>& assembler, std::size_t b, Region_couplings* couplings) const
   {
     const std::size_t begin = b * faces_of_block, end = std::min(m_faces.size(), begin + faces_of_block);
-    assembler(m_faces.data() + begin, m_faces.data() + end, couplings ? &couplings->block(b) : nullptr);
+    if(couplings)
+      assembler(m_faces.data() + begin, m_faces.data() + end, &couplings->block(b), couplings->unit_of_stiffness());
+    else
+      assembler(m_faces.data() + begin, m_faces.data() + end, nullptr, 1);
+  }
+
+  // with the units of a face
+  void resize(Region_couplings& couplings, std::size_t number_of_blocks) const
+  {
+    double length = 1, stiffness = 1;
+    if(!m_faces.empty()) {
+      const auto u = m_faces.front()->vertex(0), v = m_faces.front()->vertex(1);
+      const Vector_of_doubles p = to_doubles(u->point()), q = to_doubles(v->point());
+      const Weighted_tensor m(Symmetric_form(u->metric_tensor()), m_is_riemannian);
+      length = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
+      stiffness = (m.weighted.a + m.weighted.c) * length * length;
+    }
+    couplings.resize(number_of_blocks, m_mesh.vertex_index_bound(), length, stiffness);
   }
 
   static double add_block(const Face_block_assembler<Mesh>& block, std::vector<Region_moments>& moments,
@@ -91,6 +109,7 @@ private:
   }
 
   const Mesh& m_mesh;
+  const bool  m_is_riemannian;
   std::vector<Face_block_assembler<Mesh> > m_assemblers;
   std::vector<Face_handle>                 m_faces;
 };

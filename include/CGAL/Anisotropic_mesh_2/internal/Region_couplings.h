@@ -13,6 +13,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,7 +29,8 @@ namespace internal {
 // iteration is slow.
 //
 // The mixed blocks are stored by blocks of faces, each with its vertices
-// numbered on its own.
+// numbered on its own. Units, which are powers of two, keep all within the range of
+// floats, whatever the size of the domain.
 class Region_couplings
 {
 public:
@@ -38,8 +40,9 @@ public:
   class Face_block
   {
   public:
-    void clear(const std::vector<int>& vertices)
+    void clear(const std::vector<int>& vertices, double unit)
     {
+      m_scale = 1 / unit;
       m_vertices = vertices;
       m_faces.clear();
     }
@@ -49,7 +52,8 @@ public:
       Face face;
       face.corner = corners;
       for(int k = 0; k < 3; ++k)
-        face.block[k] = {float(c.block[k].xx), float(c.block[k].xy), float(c.block[k].yx), float(c.block[k].yy)};
+        face.block[k] = {float(m_scale * c.block[k].xx), float(m_scale * c.block[k].xy),
+                         float(m_scale * c.block[k].yx), float(m_scale * c.block[k].yy)};
       m_faces.push_back(face);
     }
 
@@ -84,29 +88,36 @@ public:
       std::array<std::array<float, 4>, 3> block; // xx, xy, yx, yy by the opposite corner
     };
 
+    double            m_scale = 1;
     std::vector<int>  m_vertices;
     std::vector<Face> m_faces;
     Vectors_of_floats m_product;
   };
 
   // For as many blocks of faces and vertices; the blocks are then to be filled.
-  void resize(std::size_t number_of_blocks, std::size_t number_of_vertices)
+  // `length` and `stiffness` are typical values of vectors and of R.
+  void resize(std::size_t number_of_blocks, std::size_t number_of_vertices, double length, double stiffness)
   {
     m_blocks.resize(number_of_blocks);
     m_responses.assign(number_of_vertices, {});
+    m_unit_of_length = power_of_two(length);
+    m_unit_of_stiffness = power_of_two(stiffness);
   }
 
   Face_block& block(std::size_t b) { return m_blocks[b]; }
 
+  double unit_of_length() const { return m_unit_of_length; }
+  double unit_of_stiffness() const { return m_unit_of_stiffness; }
+
   void add_response(int vertex, const Symmetric_form& r)
   {
     std::array<float, 3>& sum = m_responses[vertex];
-    sum[0] += float(r.a);
-    sum[1] += float(r.b);
-    sum[2] += float(r.c);
+    sum[0] += float(r.a / m_unit_of_stiffness);
+    sum[1] += float(r.b / m_unit_of_stiffness);
+    sum[2] += float(r.c / m_unit_of_stiffness);
   }
 
-  // y = R v, by the indices of the vertices
+  // y = R v, by the indices of the vertices and in the unit of stiffness
   template <class ConcurrencyTag>
   void multiply(const Vectors_of_floats& v, Vectors_of_floats& y)
   {
@@ -121,6 +132,14 @@ public:
   }
 
 private:
+  static double power_of_two(double x)
+  {
+    int exponent;
+    std::frexp(x, &exponent);
+    return std::ldexp(1., exponent);
+  }
+
+  double m_unit_of_length = 1, m_unit_of_stiffness = 1;
   std::vector<Face_block>            m_blocks;
   std::vector<std::array<float, 3> > m_responses; // a, b, c
 };

@@ -38,11 +38,12 @@ public:
   void operator()(const std::vector<Region_moments>& moments, Region_couplings& couplings, Vectors& g)
   {
     const double centre = (1 + 2*damping) / 2, radius = 0.5, sigma = centre / radius;
+    const double length = couplings.unit_of_length(), stiffness = couplings.unit_of_stiffness();
     double rho = 1 / sigma;
     m_step.assign(moments.size(), {});
     m_sum.resize(m_free.size());
     for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-      g[i] = scaled(moments[m_free[i]], g[i]); // from here on the residual, relative to 2 A
+      g[i] = scaled(moments[m_free[i]], g[i].x / length, g[i].y / length); // from here on the residual, relative to 2 A
       m_sum[i] = m_step[m_free[i]] = {float(g[i].x / centre), float(g[i].y / centre)};
     });
     for(int step = 0; step < steps; ++step) {
@@ -51,7 +52,7 @@ public:
       for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
         Vector_of_floats& d = m_step[m_free[i]];
         const Vector_of_floats& p = m_product[m_free[i]];
-        const Vector_of_doubles q = scaled(moments[m_free[i]], {p.x, p.y});
+        const Vector_of_doubles q = scaled(moments[m_free[i]], stiffness * p.x, stiffness * p.y);
         g[i].x += q.x - (1 + damping) * d.x;
         g[i].y += q.y - (1 + damping) * d.y;
         d.x = float(next_rho * (rho * d.x + 2/radius * g[i].x));
@@ -61,18 +62,18 @@ public:
       });
       rho = next_rho;
     }
-    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { g[i] = {m_sum[i].x, m_sum[i].y}; });
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { g[i] = {length * m_sum[i].x, length * m_sum[i].y}; });
   }
 
 private:
   static constexpr double damping = 0.1;
   static constexpr int    steps = 2;
 
-  // (2 A)^-1 v
-  static Vector_of_doubles scaled(const Region_moments& m, const Vector_of_doubles& v)
+  // (2 A)^-1 (x, y)
+  static Vector_of_doubles scaled(const Region_moments& m, double x, double y)
   {
     Vector_of_doubles result;
-    m.solve(v.x / 2, v.y / 2, result.x, result.y);
+    m.solve(x / 2, y / 2, result.x, result.y);
     return result;
   }
 
