@@ -64,7 +64,10 @@ public:
       if(is_finished(code))
         return code;
       Vectors target = m_mover.positions();
-      add_multiple<ConcurrencyTag>(target, 1, m_pull);
+      for_each_index<ConcurrencyTag>(target.size(), [&](std::size_t i) {
+        const Vector_of_doubles p = pull(i);
+        target[i] = {target[i].x + p.x, target[i].y + p.y};
+      });
       m_mover.move_to(target);
       m_state.energy = m_evaluate(m_moments);
       summarize();
@@ -106,22 +109,26 @@ private:
     summarize();
   }
 
+  // from a free vertex to its mass centre
+  Vector_of_doubles pull(std::size_t i) const
+  {
+    Vector_of_doubles p;
+    m_moments[m_free[i]].pull(p.x, p.y);
+    return p;
+  }
+
   void summarize()
   {
     ++m_state.evaluations;
-    m_pull.resize(m_free.size());
     std::vector<double> largest(number_of_chunks(m_free.size()), 0.);
-    for_each_chunk<ConcurrencyTag>(m_free.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-      for(std::size_t i = begin; i < end; ++i) {
-        Vector_of_doubles& p = m_pull[i];
-        m_moments[m_free[i]].pull(p.x, p.y);
-        largest[chunk] = std::max(largest[chunk], metric_length(i, p));
-      }
+    m_state.displacement = sum_over<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      const Vector_of_doubles p = pull(i);
+      largest[i / size_of_chunk] = std::max(largest[i / size_of_chunk], metric_length(i, p));
+      return p.x*p.x + p.y*p.y;
     });
     m_state.largest_move = 0;
     for(double l : largest)
       m_state.largest_move = std::max(m_state.largest_move, l);
-    m_state.displacement = scalar_product<ConcurrencyTag>(m_pull, m_pull);
   }
 
   double metric_length(std::size_t i, const Vector_of_doubles& v) const
@@ -133,7 +140,7 @@ private:
   {
     m_state.seconds = m_timer.time();
     const bool go_on = m_visitor.iteration(static_cast<const Optimization_state&>(m_state));
-    if(m_pull.empty())
+    if(m_free.empty())
       code = ALL_VERTICES_FROZEN;
     else if(m_state.largest_move <= m_criteria.convergence)
       code = CONVERGENCE_REACHED;
@@ -185,7 +192,8 @@ private:
   // A step along the quasi-Newton direction, shortened until the energy falls.
   bool descend()
   {
-    const Vectors start = m_mover.positions(), old_gradient = gradient(), d = direction(old_gradient);
+    Vectors start = m_mover.positions(), old_gradient = gradient();
+    const Vectors d = direction(old_gradient);
     const double old_energy = m_state.energy, bound = highest_recent_energy(), slope = scalar_product<ConcurrencyTag>(old_gradient, d);
     if(!(slope < 0))
       return false;
@@ -236,12 +244,17 @@ private:
     return m_state.iteration > m_iteration_of_lowest + patience;
   }
 
-  void remember_step(const Vectors& start, const Vectors& old_gradient)
+  // Takes the vectors over, which become the step and the difference of gradients.
+  void remember_step(Vectors& start, Vectors& old_gradient)
   {
-    Vectors step = m_mover.positions(), difference = gradient();
-    add_multiple<ConcurrencyTag>(step, -1, start);
-    add_multiple<ConcurrencyTag>(difference, -1, old_gradient);
-    m_history.add(step, difference);
+    const auto& vertices = m_mover.free_vertices();
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      const Vector_of_doubles p = to_doubles(vertices[i]->point());
+      const Region_moments& m = m_moments[m_free[i]];
+      start[i] = {p.x - start[i].x, p.y - start[i].y};
+      old_gradient[i] = {-2*m.gx - old_gradient[i].x, -2*m.gy - old_gradient[i].y};
+    });
+    m_history.add(start, old_gradient);
   }
 
   // Forgets what was learnt; nothing is left to try if that was nothing.
@@ -260,7 +273,6 @@ private:
   Optimization_state          m_state;
   std::vector<int>            m_free;     // the indices of the free vertices
   std::vector<Region_moments> m_moments;  // by index
-  Vectors                     m_pull;     // from the free vertices to their mass centres
   Region_couplings            m_couplings;
   Region_preconditioner<ConcurrencyTag> m_precondition;
   Lbfgs_history<ConcurrencyTag>         m_history;
