@@ -148,8 +148,7 @@ private:
     const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
     const auto faces = summarize<Face_summary>([&](Face_handle f, Face_summary& sum) {
       const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
-      const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-      sum.qualities.add(metric_quality(a, b, c, Symmetric_form(tensor(barycentre))));
+      sum.qualities.add(quality_at_barycentre(a, b, c, tensor));
       double q3 = 1;
       for(int i = 0; i < 3; ++i)
         q3 = std::min(q3, metric_quality(a, b, c, Symmetric_form(f->vertex(i)->metric_tensor())));

@@ -40,7 +40,7 @@ public:
 
   Acvt_energy(const Mesh& mesh, Measure measure, const Acvt_accuracy& accuracy = Acvt_accuracy())
     : m_mesh(mesh), m_is_riemannian(measure == Measure::RIEMANNIAN),
-      m_assemblers(blocks_at_once, Face_block_assembler<Mesh>(mesh, measure == Measure::RIEMANNIAN, accuracy))
+      m_assemblers(blocks_at_once, Face_block_assembler<Mesh>(mesh, m_is_riemannian, accuracy))
   {}
 
   // Returns the energy and sets the moments, by the index of the vertex.
@@ -76,10 +76,7 @@ private:
   void assemble_block(Face_block_assembler<Mesh>& assembler, std::size_t b, Region_couplings* couplings) const
   {
     const std::size_t begin = b * faces_of_block, end = std::min(m_faces.size(), begin + faces_of_block);
-    if(couplings)
-      assembler(m_faces.data() + begin, m_faces.data() + end, &couplings->block(b), couplings->unit_of_stiffness());
-    else
-      assembler(m_faces.data() + begin, m_faces.data() + end, nullptr, 1);
+    assembler(m_faces.data() + begin, m_faces.data() + end, couplings ? &couplings->block(b) : nullptr);
   }
 
   // with the units of a face

@@ -51,8 +51,7 @@ public:
   {}
 
   // `couplings` may be null
-  void operator()(const Face_handle* begin, const Face_handle* end, Region_couplings::Face_block* couplings,
-                  double unit_of_stiffness)
+  void operator()(const Face_handle* begin, const Face_handle* end, Region_couplings::Face_block* couplings)
   {
     m_numbering.clear();
     m_generators.clear();
@@ -62,7 +61,7 @@ public:
     for(const Face_handle* f = begin; f != end; ++f)
       m_corners.push_back({number(*f, 0), number(*f, 1), number(*f, 2)});
     if(couplings)
-      couplings->clear(m_numbering.indices(), unit_of_stiffness);
+      couplings->clear(m_numbering.indices());
     for(const Face_handle* f = begin; f != end; ++f)
       add_face(*f, m_corners[f - begin], couplings);
   }

@@ -34,7 +34,6 @@ template <class Mesh>
 class Mesh_improver
 {
   typedef Mesh_patch<Mesh>               Patch;
-  typedef typename Mesh::Point           Point;
   typedef typename Mesh::Vertex_handle   Vertex_handle;
   typedef typename Mesh::Face_handle     Face_handle;
 
@@ -79,9 +78,8 @@ private:
 
   double quality(Face_handle f) const
   {
-    const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
-    const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-    return metric_quality(a, b, c, Symmetric_form(m_mesh.geom_traits().construct_metric_tensor_2_object()(barycentre)));
+    return quality_at_barycentre(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
+                                 m_mesh.geom_traits().construct_metric_tensor_2_object());
   }
 
   std::vector<Bad_face> bad_faces() const

@@ -83,8 +83,7 @@ public:
   {
     if(m_mesh->orientation(a, b, c) != LEFT_TURN)
       return -1; // its barycentre may be where the field has no value
-    const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-    return metric_quality(a, b, c, Symmetric_form(tensor(barycentre)));
+    return quality_at_barycentre(a, b, c, m_mesh->geom_traits().construct_metric_tensor_2_object());
   }
 
   double least_quality() const

@@ -40,9 +40,10 @@ public:
   class Face_block
   {
   public:
-    void clear(const std::vector<int>& vertices, double unit)
+    void set_unit(double unit) { m_scale = 1 / unit; }
+
+    void clear(const std::vector<int>& vertices)
     {
-      m_scale = 1 / unit;
       m_vertices = vertices;
       m_faces.clear();
     }
@@ -102,6 +103,8 @@ public:
     m_responses.assign(number_of_vertices, {});
     m_unit_of_length = power_of_two(length);
     m_unit_of_stiffness = power_of_two(stiffness);
+    for(Face_block& b : m_blocks)
+      b.set_unit(m_unit_of_stiffness);
   }
 
   Face_block& block(std::size_t b) { return m_blocks[b]; }

@@ -39,7 +39,6 @@ namespace internal {
 template <class Mesh>
 class Flip_rule
 {
-  typedef typename Mesh::Point           Point;
   typedef typename Mesh::Edge            Edge;
   typedef typename Mesh::Vertex_handle   Vertex_handle;
 
@@ -124,9 +123,7 @@ private:
 
   double quality(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
   {
-    const Point &a = u->point(), &b = v->point(), &c = w->point();
-    const Point barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-    return metric_quality(a, b, c, Symmetric_form(m_tensor(barycentre)));
+    return quality_at_barycentre(u->point(), v->point(), w->point(), m_tensor);
   }
 
   const Mesh& m_mesh;
