@@ -41,7 +41,7 @@ public:
   {
     const Vector_of_doubles centre = e.at(m_centre[0], m_centre[1], m_centre[2]);
     std::array<Symmetric_form, 3> at_radius;
-    for(int k = 0; k < 3; ++k)
+    for(int k = 0; k < 3 && !e.is_linear; ++k)
       at_radius[k] = halfway_to_centre(e, e.tensor[k].weighted, unit(k));
     const double area = e.area();
     double energy = 0;
@@ -56,9 +56,11 @@ public:
       for(int c : {i, j}) {
         const Vector_of_doubles& z = e.corner[c];
         const Symmetric_form& s = e.tensor[c].weighted;
-        energy += add_triangle({middle.x - z.x, middle.y - z.y}, {centre.x - z.x, centre.y - z.y}, part,
-                               s, at_edge, m_at_centre,
-                               0.5 * (s + at_edge) + 0.25 * e.bend[k], at_bisector, at_radius[c], local[c].moments);
+        const Vector_of_doubles u = {middle.x - z.x, middle.y - z.y}, v = {centre.x - z.x, centre.y - z.y};
+        energy += e.is_linear
+          ? add_triangle(u, v, part, s, at_edge, m_at_centre, local[c].moments)
+          : add_triangle(u, v, part, s, at_edge, m_at_centre,
+                         0.5 * (s + at_edge) + 0.25 * e.bend[k], at_bisector, at_radius[c], local[c].moments);
       }
       const Bisector_piece piece = {{e.corner[j].x - e.corner[i].x, e.corner[j].y - e.corner[i].y}, {0, 0},
                                     {centre.x - middle.x, centre.y - middle.y}};
@@ -124,6 +126,18 @@ private:
     moments.gx += area * (l.a*u.x + l.b*u.y + m.a*v.x + m.b*v.y);
     moments.gy += area * (l.b*u.x + l.c*u.y + m.b*v.x + m.c*v.y);
     return area * (ll(u.x, u.y) + 2 * lm(u.x, u.y, v.x, v.y) + mm(v.x, v.y));
+  }
+
+  // the same for a linear tensor, given at the corners
+  static double add_triangle(const Vector_of_doubles& u, const Vector_of_doubles& v, double area,
+                             const Symmetric_form& s0, const Symmetric_form& su, const Symmetric_form& sv,
+                             Region_moments& moments)
+  {
+    const Symmetric_form sum = s0 + su + sv, l = sum + su, m = sum + sv;
+    moments.a += (area / 3) * sum;
+    moments.gx += (area / 12) * (l.a*u.x + l.b*u.y + m.a*v.x + m.b*v.y);
+    moments.gy += (area / 12) * (l.b*u.x + l.c*u.y + m.b*v.x + m.c*v.y);
+    return (area / 30) * ((l + su)(u.x, u.y) + (l + sv)(u.x, u.y, v.x, v.y) + (m + sv)(v.x, v.y));
   }
 
   // The distance of the true bisector from the chord is a parabola with zeros at both ends.

@@ -28,6 +28,7 @@ struct Acvt_element
   Weighted_tensor                  middle;
   // weighted, at the middle of the edge opposite to the corner: less the mean of the two ends
   std::array<Symmetric_form, 3>    bend;
+  bool                             is_linear = false; // no bends
 
   Vector_of_doubles barycentre() const
   {
@@ -48,6 +49,13 @@ struct Acvt_element
     for(const Weighted_tensor& t : tensor)
       largest = std::max(largest, middle.squared_distance_to(t, inverse));
     return largest;
+  }
+
+  // Leaves the tensor linear.
+  void forget_bends()
+  {
+    bend.fill(Symmetric_form());
+    is_linear = true;
   }
 
   // Guesses the tensors at the middles of the edges from what lacks, at the

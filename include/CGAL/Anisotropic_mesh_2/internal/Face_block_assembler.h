@@ -28,7 +28,8 @@ namespace internal {
 // How elements are chosen.
 struct Acvt_accuracy
 {
-  double guess = 0.1;      // up to this variation of the metric within an element, edges are not sampled
+  double linear = 0.03;    // up to this variation of the metric within an element, it is linear there
+  double guess = 0.1;      // up to this, edges are not sampled
   double tolerance = 0.5;  // up to this, an element is left as it is
   int maximum_depth = 2;   // of the quartering of faces where it varies more
 };
@@ -102,7 +103,9 @@ private:
 
   void prepare_interpolation(Acvt_element& e, double squared_variation) const
   {
-    if(squared_variation <= square(m_accuracy.guess))
+    if(squared_variation <= square(m_accuracy.linear))
+      e.forget_bends();
+    else if(squared_variation <= square(m_accuracy.guess))
       e.guess_bends();
     else
       e.sample_bends([this](const Vector_of_doubles& x) { return tensor_at(x); });

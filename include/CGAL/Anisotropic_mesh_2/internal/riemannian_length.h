@@ -151,14 +151,21 @@ private:
 
     double share(double s) const { return s * (linear + s * (square + s * cube)); }
 
+    double share_rate(double s) const { return linear + s * (2*square + s * 3*cube); }
+
+    // Newton's method, kept within the bounds by bisection
     double inverse_share(double value) const
     {
-      double low = 0, high = 1;
-      for(int i = 0; i < 54; ++i) {
-        const double middle = (low + high) / 2;
-        (share(middle) < value ? low : high) = middle;
+      double low = 0, high = 1, s = value;
+      for(int i = 0; i < 54 && low < high; ++i) {
+        const double excess = share(s) - value;
+        (excess < 0 ? low : high) = s;
+        const double next = s - excess / share_rate(s);
+        if(std::abs(next - s) <= 1e-15)
+          break;
+        s = low < next && next < high ? next : (low + high) / 2; // also if next is NaN
       }
-      return (low + high) / 2;
+      return s;
     }
   };
 
@@ -258,10 +265,14 @@ private:
 
   void tabulate(double limit)
   {
-    std::sort(m_panels.begin(), m_panels.end(), [](const Panel& p, const Panel& q) { return p.t0 < q.t0; });
+    std::vector<std::pair<double, std::size_t> > order; // panels are large to sort
+    for(std::size_t i = 0; i < m_panels.size(); ++i)
+      order.push_back({m_panels[i].t0, i});
+    std::sort(order.begin(), order.end());
     m_table.reserve(m_panels.size());
     double sum = 0;
-    for(const Panel& p : m_panels) {
+    for(const auto& panel : order) {
+      const Panel& p = m_panels[panel.second];
       m_table.push_back(entry(p, sum));
       sum += p.length;
     }
