@@ -69,7 +69,7 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// \param mesh the mesh, with its domain marked.
 /// \param np an optional sequence of named parameters, those of
 /// `lloyd_optimize_anisotropic_mesh_2()`, with the same defaults but for `energy_reduction`
-/// (\f$ 10^{-5} \f$), and
+/// (\f$ 3 \cdot 10^{-4} \f$), and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{topological_moves}
@@ -92,7 +92,7 @@ acvt_optimize_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::def
   namespace internal = Anisotropic_mesh_2::internal;
   const Mesh_optimization_return_code code
     = internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
-        (mesh, 1e-5, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
+        (mesh, 3e-4, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
   if(internal::are_topological_moves_due(code, np))
     internal::Mesh_improver<Mesh>{mesh}();
   return code;
