@@ -83,7 +83,7 @@ private:
 // the inverse of that function.
 //
 // Adaptive Simpson quadrature: panels are bisected, the longest first, until
-// each is shorter than the threshold 0.1, then those with the largest error
+// each is shorter than the threshold, then those with the largest error
 // estimate until the estimates add up to 10^-8 of the length. The number of
 // panels is bounded, whatever the metric does: jumps cost about 30 panels each,
 // and pieces of more than 2000 unit edges get panels longer than the threshold.
@@ -136,22 +136,34 @@ private:
   typedef std::pair<double, std::size_t>   Ranked; // key, panel
   typedef std::priority_queue<Ranked>      Queue;
 
-  static constexpr double      threshold = 0.1;             // the paper's delta
+  static constexpr double      threshold = 0.4;             // the paper's delta, 0.1, between the nodes of a panel
   static constexpr double      relative_tolerance = 1e-8;
   static constexpr double      smallest_step = 1e-14;
   static constexpr int         first_panels = 7;            // odd: symmetric features are not skipped
   static constexpr double      many_panels = 2e4;
   static constexpr int         accuracy_bisections = 4096;
 
-  // a panel with its speed as a quadratic polynomial, normalized to length 1
+  // A panel with its speed as a polynomial of degree four, normalized to length 1.
   struct Entry
   {
     double t0, width, before, length;
-    double linear, square, cube;
+    std::array<double, 5> factor; // of s, s^2, ... in the share
 
-    double share(double s) const { return s * (linear + s * (square + s * cube)); }
+    double share(double s) const
+    {
+      return s * (factor[0] + s * (factor[1] + s * (factor[2] + s * (factor[3] + s * factor[4]))));
+    }
 
-    double share_rate(double s) const { return linear + s * (2*square + s * 3*cube); }
+    double share_rate(double s) const
+    {
+      return factor[0] + s * (2*factor[1] + s * (3*factor[2] + s * (4*factor[3] + s * 5*factor[4])));
+    }
+
+    // at the middles between the nodes, where the speed might be negative
+    bool rises() const
+    {
+      return share_rate(1./8) > 0 && share_rate(3./8) > 0 && share_rate(5./8) > 0 && share_rate(7./8) > 0;
+    }
 
     // Newton's method, kept within the bounds by bisection
     double inverse_share(double value) const
@@ -255,12 +267,18 @@ private:
 
   static Entry entry(const Panel& p, double before)
   {
-    const double a = p.speeds[0], b = p.speeds[2], c = p.speeds[4];
-    if(!(p.coarse_length() > 0)) // the curve rests
-      return Entry{p.t0, 4*p.step, before, p.length, 1, 0, 0};
-    const double scale = 4*p.step / p.coarse_length();
-    return Entry{p.t0, 4*p.step, before, p.length,
-                 scale * a, scale * (4*b - 3*a - c) / 2, scale * (2*a - 4*b + 2*c) / 3};
+    // forward differences of the speeds
+    const auto& v = p.speeds;
+    const double d1 = v[1] - v[0], d2 = v[2] - 2*v[1] + v[0], d3 = v[3] - 3*v[2] + 3*v[1] - v[0];
+    const double d4 = v[4] - 4*v[3] + 6*v[2] - 4*v[1] + v[0];
+    Entry e{p.t0, 4*p.step, before, p.length,
+            {v[0], 2*d1 - d2 + 2./3*d3 - d4/2, 8./3*d2 - 8./3*d3 + 22./9*d4, 8./3*d3 - 4*d4, 32./15*d4}};
+    const double whole = e.share(1);
+    for(double& f : e.factor)
+      f /= whole;
+    if(!e.rises()) // the curve rests, or the speed jumps
+      e.factor = {1, 0, 0, 0, 0};
+    return e;
   }
 
   void tabulate(double limit)
