@@ -170,7 +170,7 @@ private:
     const double riemannian_area = area(0.5);
     m_result.ideal_vertices = ideal_number_of_vertices(riemannian_area);
     std::vector<Region_moments> moments;
-    m_result.energy = Acvt_energy<Mesh, ConcurrencyTag>(m_mesh, m_measure, Acvt_accuracy{0.05, 0.2, 3})(moments);
+    m_result.energy = Acvt_energy<Mesh, ConcurrencyTag>(m_mesh, m_measure, Acvt_accuracy{0.01, 0.05, 0.2, 3})(moments);
     const double density_integral = m_measure == Measure::RIEMANNIAN ? riemannian_area : area(0.25);
     // the second moment of a regular hexagon of unit area
     const double hexagon = 5 / (18 * std::sqrt(3.));
