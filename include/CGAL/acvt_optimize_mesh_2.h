@@ -48,7 +48,7 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// gives the rest of the Hessian. The L-BFGS method is preconditioned by two steps
 /// of Chebyshev's iteration with that Hessian, which reaches the energy of
 /// a hundred iterations of Lloyd in ten to fifteen. A step is shortened if the energy after it
-/// exceeds that of the last six iterates, and so are moves that would invert a face. The
+/// exceeds that of the last eight iterates, and so are moves that would invert a face. The
 /// triangulation is updated in place by flips.
 ///
 /// At the end, faces of low quality are improved if the measure is the

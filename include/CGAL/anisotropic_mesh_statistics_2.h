@@ -8,6 +8,9 @@
 #define CGAL_ANISOTROPIC_MESH_STATISTICS_2_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy_of_hexagons.h>
+#include <CGAL/Anisotropic_mesh_2/internal/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
@@ -17,8 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -49,43 +50,6 @@ public:
   }
 
 private:
-  // of some values
-  struct Summary
-  {
-    std::size_t number = 0;
-    double sum = 0, least = std::numeric_limits<double>::infinity(), largest = -least;
-
-    void add(double value)
-    {
-      ++number;
-      sum += value;
-      least = std::min(least, value);
-      largest = std::max(largest, value);
-    }
-    Summary& operator+=(const Summary& s)
-    {
-      number += s.number;
-      sum += s.sum;
-      least = std::min(least, s.least);
-      largest = std::max(largest, s.largest);
-      return *this;
-    }
-    double mean() const { return sum / double(number); }
-  };
-
-  struct Edge_summary
-  {
-    Summary     lengths;
-    std::size_t unit = 0;
-
-    Edge_summary& operator+=(const Edge_summary& s)
-    {
-      lengths += s.lengths;
-      unit += s.unit;
-      return *this;
-    }
-  };
-
   struct Face_summary
   {
     Summary qualities, qualities_min3;
@@ -131,16 +95,13 @@ private:
     const auto length = m_mesh.geom_traits().compute_riemannian_length_2_object();
     const auto edges = summarize<Edge_summary>([&](Face_handle f, Edge_summary& sum) {
       for(int i = 0; i < 3; ++i)
-        if(is_own_edge(f, i)) {
-          const double l = length(f->vertex(Mesh::ccw(i))->point(), f->vertex(Mesh::cw(i))->point());
-          sum.lengths.add(l);
-          sum.unit += l >= std::sqrt(0.5) && l <= std::sqrt(2.);
-        }
+        if(is_own_edge(f, i))
+          sum.add(length(f->vertex(Mesh::ccw(i))->point(), f->vertex(Mesh::cw(i))->point()));
     });
     m_result.edge_length_mean = edges.lengths.mean();
     m_result.edge_length_min = edges.lengths.least;
     m_result.edge_length_max = edges.lengths.largest;
-    m_result.edge_length_unit_share = double(edges.unit) / double(edges.lengths.number);
+    m_result.edge_length_unit_share = edges.unit_share();
   }
 
   void measure_faces()
@@ -172,10 +133,7 @@ private:
     std::vector<Region_moments> moments;
     m_result.energy = Acvt_energy<Mesh, ConcurrencyTag>(m_mesh, m_measure, Acvt_accuracy{0.01, 0.05, 0.2, 3})(moments);
     const double density_integral = m_measure == Measure::RIEMANNIAN ? riemannian_area : area(0.25);
-    // the second moment of a regular hexagon of unit area
-    const double hexagon = 5 / (18 * std::sqrt(3.));
-    m_result.energy_ratio = m_result.energy * double(m_result.triangles) / 2
-                          / (hexagon * density_integral * density_integral);
+    m_result.energy_ratio = m_result.energy / energy_of_hexagons(density_integral, double(m_result.triangles) / 2);
     for(Vertex_handle v : free_vertices(m_mesh)) {
       double x, y;
       moments[v->index()].pull(x, y);

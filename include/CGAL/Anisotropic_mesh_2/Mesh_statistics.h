@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H
 #define CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/write_figures.h>
+
 #include <cstddef>
 #include <ostream>
 
@@ -57,20 +59,11 @@ struct Mesh_statistics
   /// writes one line per figure.
   friend std::ostream& operator<<(std::ostream& os, const Mesh_statistics& s)
   {
-    s.for_each([&](const char* name, const auto& value) { os << name << ": " << value << '\n'; });
-    return os;
+    return internal::write_figures(os, s);
   }
 
   /// writes the figures as a flat JSON object.
-  void write_json(std::ostream& os) const
-  {
-    const char* separator = "{\n  ";
-    for_each([&](const char* name, const auto& value) {
-      os << separator << '"' << name << "\": " << value;
-      separator = ",\n  ";
-    });
-    os << "\n}\n";
-  }
+  void write_json(std::ostream& os) const { internal::write_figures_as_json(os, *this); }
 };
 
 } // namespace Anisotropic_mesh_2

@@ -98,7 +98,7 @@ private:
   static constexpr std::size_t patience = 10;
   // A step may raise the energy as long as it stays below the highest one of some
   // steps before: that saves many evaluations, and noise does not stop the method.
-  static constexpr std::size_t memory_of_energies = 6;
+  static constexpr std::size_t memory_of_energies = 8;
 
   void evaluate()
   {
