@@ -22,6 +22,7 @@
 /// \cgalHasModels{CGAL::Discrete_metric_field_2<K>}
 /// \cgalHasModels{CGAL::Gradient_metric_field_2<K, Gradient>}
 /// \cgalHasModels{CGAL::Hessian_metric_field_2<K, Hessian>}
+/// \cgalHasModels{CGAL::Surface_metric_field_2<Surface, Metric>}
 /// \cgalHasModelsEnd
 class MetricField_2
 {

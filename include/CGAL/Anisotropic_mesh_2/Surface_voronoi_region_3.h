@@ -1,0 +1,36 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_SURFACE_VORONOI_REGION_3_H
+#define CGAL_ANISOTROPIC_MESH_2_SURFACE_VORONOI_REGION_3_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the region of a vertex of a mesh of a surface, on the surface.
+///
+/// \tparam K a model of `Kernel`
+template <class K>
+struct Surface_voronoi_region_3
+{
+  typedef typename K::Point_3        Point_3;
+  typedef std::array<Point_3, 3>     Tile;
+
+  std::size_t                        vertex;     ///< its number in the mesh
+  std::vector<std::vector<Point_3> > boundaries; ///< closed lines with the region on their left
+  std::vector<Tile>                  tiles;      ///< triangles that make up the region, up to the curvature of the surface
+};
+
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_SURFACE_VORONOI_REGION_3_H

@@ -1,0 +1,178 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHART_MESH_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHART_MESH_H
+
+#include <CGAL/Anisotropic_Delaunay_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Surface_atlas.h>
+#include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
+#include <CGAL/Anisotropic_surface_mesh_3.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// The part of a surface mesh that lies in one chart, as a planar mesh. It ends
+// where the mesh does, where the chart is cut, and at the given bounds of v; the
+// vertices there are fixed.
+template <class Field>
+class Chart_mesh
+{
+  typedef Anisotropic_surface_mesh_3<Field>        Surface_mesh;
+  typedef typename Surface_mesh::Face              Face;
+  typedef Surface_chart<Field>                     Chart;
+  typedef typename Surface_atlas<Field>::Part      Part;
+  typedef typename Chart::Kernel                   Kernel;
+  typedef typename Chart::Point_2                  Point_2;
+
+public:
+  typedef Riemannian_metric_traits_2<Kernel, Chart> Traits;
+  typedef Anisotropic_Delaunay_mesh_2<Traits>       Mesh;
+  typedef typename Mesh::Vertex_handle              Vertex_handle;
+  typedef std::array<std::size_t, 2>                Chart_edge;
+
+  Chart_mesh(const Surface_mesh& surface_mesh, const Part& part)
+    : m_surface_mesh(surface_mesh), m_part(part), m_mesh(Traits(part.chart))
+  {
+    for(std::size_t v = 0; v < surface_mesh.number_of_vertices(); ++v)
+      m_coordinates.push_back(part.chart.coordinates(to_doubles(surface_mesh.parameters(v))));
+    for(const Face& f : surface_mesh.faces())
+      (is_in_bounds(f) && is_upright(f) ? m_faces : m_outer_faces).push_back(f);
+  }
+
+  // by the numbers of the vertices in the surface mesh
+  const std::vector<Face>& faces() const { return m_faces; }
+
+  // the edges that have a face of this part on one side only
+  std::vector<Chart_edge> rim() const
+  {
+    const Directed_edges edges(m_faces);
+    std::vector<Chart_edge> result;
+    for(const Face& f : m_faces)
+      for(int i = 0; i < 3; ++i)
+        if(!edges.contains(f[(i + 1) % 3], f[i]))
+          result.push_back({f[i], f[(i + 1) % 3]});
+    return result;
+  }
+
+  // Triangulates the vertices; those on the rim are fixed. Returns false if that
+  // cannot be, because lines of the rim cross each other in the chart.
+  bool triangulate()
+  {
+    typename Mesh::Boundary_mesh boundary = rim_segments();
+    std::vector<Point_2> inner;
+    std::vector<bool> is_known(m_coordinates.size(), false);
+    for(const Face& f : m_faces)
+      for(std::size_t v : f) {
+        if(!is_known[v] && m_places.count(v) == 0)
+          inner.push_back(point(v));
+        is_known[v] = true;
+      }
+    if(!insert(boundary))
+      return false;
+    m_mesh.insert(inner.begin(), inner.end());
+    return true;
+  }
+
+  // Takes the faces as they are, so that all vertices are fixed. Returns false if that cannot be.
+  bool copy_faces()
+  {
+    typename Mesh::Boundary_mesh boundary = rim_segments();
+    for(const Face& f : m_faces)
+      for(int i = 0; i < 3; ++i)
+        if(f[i] < f[(i + 1) % 3])
+          boundary.segments.push_back({place(f[i], boundary), place(f[(i + 1) % 3], boundary), 0, false});
+    return insert(boundary);
+  }
+
+  Mesh& mesh() { return m_mesh; }
+
+  // the number in the surface mesh of a fixed vertex
+  std::size_t number(Vertex_handle v) const { return m_numbers.at(v->point()); }
+
+  // Puts what has become of the planar mesh in the place of what was there.
+  void write_to(Surface_mesh& surface_mesh)
+  {
+    std::vector<Face> faces = std::move(m_outer_faces);
+    append_chart_faces(m_mesh, m_part.chart, m_numbers, surface_mesh, faces);
+    surface_mesh.replace_faces(std::move(faces));
+  }
+
+private:
+  bool is_in_bounds(const Face& f) const
+  {
+    return std::all_of(f.begin(), f.end(), [&](std::size_t v) {
+      const double value = CGAL::to_double(m_surface_mesh.parameters(v).y());
+      return m_part.v_low <= value && value <= m_part.v_high;
+    });
+  }
+
+  // whether the face has its orientation in the chart as well
+  bool is_upright(const Face& f) const
+  {
+    for(int i = 0; i < 3; ++i)
+      if(m_part.chart.is_cut_between(m_coordinates[f[i]], m_coordinates[f[(i + 1) % 3]]))
+        return false;
+    return typename Kernel::Orientation_2()(point(f[0]), point(f[1]), point(f[2])) == LEFT_TURN;
+  }
+
+  Point_2 point(std::size_t v) const { return point_at<Point_2>(m_coordinates[v].x, m_coordinates[v].y); }
+
+  bool insert(const typename Mesh::Boundary_mesh& boundary)
+  {
+    try {
+      m_mesh.insert_boundary(boundary);
+    }
+    catch(const typename Mesh::Intersection_of_constraints_exception&) {
+      return false;
+    }
+    return true;
+  }
+
+  typename Mesh::Boundary_mesh rim_segments()
+  {
+    typename Mesh::Boundary_mesh boundary;
+    for(const Chart_edge& e : rim())
+      boundary.segments.push_back({place(e[0], boundary), place(e[1], boundary), 1, true});
+    return boundary;
+  }
+
+  // the number of a vertex among the points of the boundary
+  std::size_t place(std::size_t v, typename Mesh::Boundary_mesh& boundary)
+  {
+    const auto added = m_places.emplace(v, boundary.points.size());
+    if(added.second) {
+      boundary.points.push_back(point(v));
+      m_numbers[point(v)] = v;
+    }
+    return added.first->second;
+  }
+
+  const Surface_mesh&                 m_surface_mesh;
+  const Part                          m_part;
+  Mesh                                m_mesh;
+  Vectors                             m_coordinates;  // of all vertices
+  std::vector<Face>                   m_faces, m_outer_faces;
+  std::map<std::size_t, std::size_t>  m_places;       // of fixed vertices, among the points of the boundary
+  std::map<Point_2, std::size_t>      m_numbers;      // of fixed vertices, in the surface mesh
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHART_MESH_H

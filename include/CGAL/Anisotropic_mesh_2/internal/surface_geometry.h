@@ -1,0 +1,79 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_GEOMETRY_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_GEOMETRY_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// 4 sqrt(3) area / (sum of the squared lengths of the edges), both in the tensor
+// `m`: 1 for a triangle in space that is equilateral in it
+template <class Point_3, class Tensor_3>
+double surface_quality(const std::array<Point_3, 3>& t, const Tensor_3& m)
+{
+  const auto u = t[1] - t[0], v = t[2] - t[0];
+  const Symmetric_form gram(CGAL::to_double(m.squared_length(u)), CGAL::to_double(m.scalar_product(u, v)),
+                            CGAL::to_double(m.squared_length(v)));
+  return 2 * std::sqrt(3.) * std::sqrt(std::max(0., gram.determinant()))
+       / (gram(1, 0) + gram(0, 1) + gram(1, -1));
+}
+
+// The length in space of the straight line between two points, by Simpson's rule.
+template <class Vector_3, class Tensor_3>
+double chord_length(const Vector_3& chord, const Tensor_3& at_source, const Tensor_3& in_middle, const Tensor_3& at_target)
+{
+  const auto length = [&](const Tensor_3& m) { return std::sqrt(CGAL::to_double(m.squared_length(chord))); };
+  return (length(at_source) + 4 * length(in_middle) + length(at_target)) / 6;
+}
+
+// the angle between the normal of a triangle and that of the surface at the parameters `p`
+template <class Surface, class Point_2, class Point_3>
+double normal_deviation(const Surface& surface, const Point_2& p, const std::array<Point_3, 3>& t)
+{
+  const auto d = surface.first_derivatives(p);
+  const auto n = cross_product(d[0], d[1]), m = cross_product(t[1] - t[0], t[2] - t[0]);
+  const auto c = cross_product(n, m);
+  return std::atan2(std::sqrt(CGAL::to_double(c * c)), CGAL::to_double(n * m));
+}
+
+// The distance of `x` from the surface close to the parameters `p`, by the method of Gauss and Newton.
+template <class Surface, class Point_2, class Point_3>
+double distance_to_surface(const Surface& surface, const Point_2& p, const Point_3& x)
+{
+  Vector_of_doubles q = to_doubles(p);
+  double least = std::sqrt(CGAL::to_double((x - surface.point(p)).squared_length()));
+  for(int i = 0; i < 8; ++i) {
+    const Point_2 at = point_at<Point_2>(q.x, q.y);
+    const auto d = surface.first_derivatives(at);
+    const auto r = x - surface.point(at);
+    const Symmetric_form gram(CGAL::to_double(d[0] * d[0]), CGAL::to_double(d[0] * d[1]), CGAL::to_double(d[1] * d[1]));
+    const double fu = CGAL::to_double(r * d[0]), fv = CGAL::to_double(r * d[1]), det = gram.determinant();
+    const Vector_of_doubles next = {q.x + (gram.c * fu - gram.b * fv) / det, q.y + (gram.a * fv - gram.b * fu) / det};
+    const double distance = std::sqrt(CGAL::to_double((x - surface.point(point_at<Point_2>(next.x, next.y))).squared_length()));
+    if(!(distance < least))
+      break;
+    least = distance;
+    q = next;
+  }
+  return least;
+}
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_GEOMETRY_H

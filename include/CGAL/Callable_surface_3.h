@@ -1,0 +1,98 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_CALLABLE_SURFACE_3_H
+#define CGAL_CALLABLE_SURFACE_3_H
+
+#include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Surface_differentiator.h>
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <utility>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the parametric surface of any function, which is differentiated numerically.
+///
+/// First derivatives have about eleven correct digits and second ones about
+/// eight, if the function has no details much smaller than a hundredth of the range of parameters. A
+/// first derivative costs 5 calls of the function, the second ones 36 in all.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Function a functor `K::Point_3(const K::Point_2&)`, copyable and callable from several threads
+/// \cgalModels{ParametricSurface_3}
+/// \sa `make_callable_surface_3()`
+template <class K, class Function>
+class Callable_surface_3
+{
+public:
+  typedef K                      Kernel;
+  typedef typename K::FT         FT;
+  typedef typename K::Point_2    Point_2;
+  typedef typename K::Point_3    Point_3;
+  typedef typename K::Vector_3   Vector_3;
+
+  /// the surface of `function`, defined on `parameters`, outside of which it is not called, but for
+  /// periodic parameters.
+  Callable_surface_3(Function function, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
+    : m_function(std::move(function)), m_parameters(parameters)
+  {
+    CGAL_precondition(parameters.u_min < parameters.u_max && parameters.v_min < parameters.v_max);
+    CGAL_precondition(parameters.u_is_periodic || !(parameters.v_min_is_pole || parameters.v_max_is_pole));
+  }
+
+  Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_parameters; }
+
+  Point_3 point(const Point_2& uv) const { return m_function(uv); }
+
+  std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const
+  {
+    const Differentiator derivative(m_function, m_parameters);
+    return {derivative(uv, 1, 0), derivative(uv, 0, 1)};
+  }
+
+  std::array<Vector_3, 3> second_derivatives(const Point_2& uv) const
+  {
+    const Differentiator derivative(m_function, m_parameters);
+    return {derivative(uv, 2, 0), derivative(uv, 1, 1), derivative(uv, 0, 2)};
+  }
+
+private:
+  typedef Anisotropic_mesh_2::internal::Surface_differentiator<K, Function> Differentiator;
+
+  Function                                m_function;
+  Anisotropic_mesh_2::Parameter_rectangle m_parameters;
+};
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// returns the surface of `function`; `K` is to be named, as in `make_callable_surface_3<K>(function, parameters)`.
+template <class K, class Function>
+Callable_surface_3<K, Function> make_callable_surface_3(Function function,
+                                                        const Anisotropic_mesh_2::Parameter_rectangle& parameters)
+{
+  return Callable_surface_3<K, Function>(std::move(function), parameters);
+}
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// returns the graph \f$ z = f(x, y) \f$ over a rectangle; `K` is to be named, as in
+/// `make_graph_surface_3<K>(f, parameters)`.
+/// \tparam Height a functor `K::FT(const K::Point_2&)`, copyable and callable from several threads
+template <class K, class Height>
+auto make_graph_surface_3(Height height, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
+{
+  return make_callable_surface_3<K>([height](const typename K::Point_2& p) {
+    return typename K::Point_3(p.x(), p.y(), height(p));
+  }, parameters);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_CALLABLE_SURFACE_3_H

@@ -1,0 +1,34 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_DEGENERATE_PARAMETRIZATION_EXCEPTION_H
+#define CGAL_DEGENERATE_PARAMETRIZATION_EXCEPTION_H
+
+#include <CGAL/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
+
+#include <string>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Exceptions
+///
+/// thrown when a parametric surface has no finite point or no tangent plane somewhere.
+///
+/// The message tells what is wrong and names the parameters u and v.
+class Degenerate_parametrization_exception
+  : public Invalid_metric_tensor_exception
+{
+public:
+  Degenerate_parametrization_exception(const std::string& what, double u, double v)
+    : Invalid_metric_tensor_exception(what + " at the point " + Anisotropic_mesh_2::internal::describe(u, v)
+                                      + " of the parameters (u, v)")
+  {}
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DEGENERATE_PARAMETRIZATION_EXCEPTION_H

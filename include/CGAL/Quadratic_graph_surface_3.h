@@ -1,0 +1,71 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_QUADRATIC_GRAPH_SURFACE_3_H
+#define CGAL_QUADRATIC_GRAPH_SURFACE_3_H
+
+#include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the graph \f$ \sigma(u, v) = (u, v, a u^2 + b v^2) \f$: a paraboloid if `a` and
+/// `b` have the same sign, a saddle if not.
+///
+/// \tparam K a model of `Kernel`
+/// \cgalModels{ParametricSurface_3}
+template <class K>
+class Quadratic_graph_surface_3
+{
+public:
+  typedef K                      Kernel;
+  typedef typename K::FT         FT;
+  typedef typename K::Point_2    Point_2;
+  typedef typename K::Point_3    Point_3;
+  typedef typename K::Vector_3   Vector_3;
+
+  /// the graph with the coefficients `a` and `b` over a rectangle.
+  /// \pre `parameters` is neither periodic nor has poles.
+  Quadratic_graph_surface_3(double a, double b, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
+    : m_a(a), m_b(b), m_parameters(parameters)
+  {
+
+    CGAL_precondition(parameters.u_min < parameters.u_max && parameters.v_min < parameters.v_max);
+    CGAL_precondition(!(parameters.u_is_periodic || parameters.v_is_periodic
+                        || parameters.v_min_is_pole || parameters.v_max_is_pole));
+  }
+
+  Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_parameters; }
+
+  Point_3 point(const Point_2& uv) const
+  {
+    return Point_3(uv.x(), uv.y(), m_a * uv.x() * uv.x() + m_b * uv.y() * uv.y());
+  }
+
+  std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const
+  {
+    return {Vector_3(FT(1), FT(0), 2 * m_a * uv.x()), Vector_3(FT(0), FT(1), 2 * m_b * uv.y())};
+  }
+
+  std::array<Vector_3, 3> second_derivatives(const Point_2&) const
+  {
+    return {Vector_3(FT(0), FT(0), 2 * m_a), Vector_3(FT(0), FT(0), FT(0)), Vector_3(FT(0), FT(0), 2 * m_b)};
+  }
+
+private:
+  FT                                      m_a, m_b;
+  Anisotropic_mesh_2::Parameter_rectangle m_parameters;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUADRATIC_GRAPH_SURFACE_3_H

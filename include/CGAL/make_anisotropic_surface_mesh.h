@@ -1,0 +1,110 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_MAKE_ANISOTROPIC_SURFACE_MESH_H
+#define CGAL_MAKE_ANISOTROPIC_SURFACE_MESH_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/Closed_surface_mesher.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Surface_chart.h>
+#include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimize_closed_surface_mesh.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/parameters.h>
+#include <CGAL/Anisotropic_mesh_domain_2.h>
+#include <CGAL/Anisotropic_surface_mesh_3.h>
+#include <CGAL/Surface_metric_field_2.h>
+#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/make_anisotropic_mesh_2.h>
+
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// generates an optimized mesh of a part of a parametric surface under a metric
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
+///
+/// The domain, in the plane of parameters, is meshed under the metric that the
+/// surface induces there, by `make_anisotropic_mesh_2()` and `acvt_optimize_mesh_2()`.
+///
+/// \tparam ConcurrencyTag as for `acvt_optimize_mesh_2()`.
+/// \tparam K the kernel of the surface.
+/// \tparam Field an instance of `Surface_metric_field_2`.
+/// \tparam NamedParameters a sequence of named parameters
+/// \param domain the domain, within the rectangle of the parameters; periodic
+/// parameters are not glued.
+/// \param field the surface and its metric.
+/// \param np an optional sequence of named parameters, those of
+/// `make_anisotropic_mesh_2()` and `acvt_optimize_mesh_2()`
+///
+/// \throw Degenerate_parametrization_exception if the surface has no tangent plane at a point of the domain.
+/// \throw Invalid_domain_exception if the domain is not valid.
+/// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
+/// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
+template <class ConcurrencyTag = Parallel_if_available_tag, class K, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
+Anisotropic_surface_mesh_3<Field>
+make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const Field& field,
+                              const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  namespace internal = Anisotropic_mesh_2::internal;
+  Anisotropic_surface_mesh_3<Field> surface_mesh(field);
+  const auto r = field.surface().parameters();
+  const auto chart = internal::Surface_chart<Field>::window(surface_mesh.field(), r.u_min, r.v_min);
+  auto mesh = make_anisotropic_mesh_2(domain, chart, np);
+  acvt_optimize_mesh_2<ConcurrencyTag>(mesh, np);
+  std::map<typename K::Point_2, std::size_t> numbers;
+  std::vector<typename Anisotropic_surface_mesh_3<Field>::Face> faces;
+  internal::append_chart_faces(mesh, chart, numbers, surface_mesh, faces);
+  surface_mesh.replace_faces(std::move(faces));
+  return surface_mesh;
+}
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// generates an optimized mesh of a whole parametric surface under a metric
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
+///
+/// Where a parameter is periodic, the mesh is closed: the unit mesh of
+/// the rectangle of parameters gets the same vertices on the sides that
+/// coincide, and is then optimized in several charts in turn, which are cut at
+/// different places, so that each vertex is free in at least one of them. Around a pole
+/// a chart has polar coordinates. The named parameters of the
+/// optimizer hold for each chart.
+///
+/// All other parameters are those of the overload for a part of the surface.
+template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
+Anisotropic_surface_mesh_3<Field>
+make_anisotropic_surface_mesh(const Field& field, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  namespace internal = Anisotropic_mesh_2::internal;
+  typedef typename Field::Surface::Kernel K;
+  typedef typename K::Point_2             Point_2;
+
+  const auto r = field.surface().parameters();
+  if(!r.u_is_periodic && !r.v_is_periodic) {
+    Anisotropic_mesh_domain_2<K> domain;
+    const auto corner = [](double u, double v) { return internal::point_at<Point_2>(u, v); };
+    domain.add_polygon(std::vector<Point_2>{corner(r.u_min, r.v_min), corner(r.u_max, r.v_min),
+                                            corner(r.u_max, r.v_max), corner(r.u_min, r.v_max)});
+    return make_anisotropic_surface_mesh<ConcurrencyTag>(domain, field, np);
+  }
+  Anisotropic_surface_mesh_3<Field> surface_mesh(field);
+  const std::size_t limit = choose_parameter<std::size_t>
+    (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
+  internal::Closed_surface_mesher<Field>{surface_mesh, limit}();
+  internal::optimize_closed_surface_mesh<ConcurrencyTag>(surface_mesh, np);
+  return surface_mesh;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MAKE_ANISOTROPIC_SURFACE_MESH_H

@@ -1,0 +1,321 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+// Meshes of parametric surfaces: topology, quality, seams and poles, and
+// developable surfaces against the plane.
+
+#include "include/check.h"
+
+#include <CGAL/Callable_surface_3.h>
+#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Isotropic_metric_field_2.h>
+#include <CGAL/Parametric_ellipsoid_3.h>
+#include <CGAL/Parametric_torus_3.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Quadratic_graph_surface_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/anisotropic_mesh_statistics_2.h>
+#include <CGAL/anisotropic_surface_statistics.h>
+#include <CGAL/anisotropic_surface_voronoi_regions.h>
+#include <CGAL/make_anisotropic_surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
+typedef K::Point_2                                          Point_2;
+typedef K::Point_3                                          Point_3;
+typedef CGAL::Anisotropic_mesh_2::Parameter_rectangle       Rectangle;
+typedef CGAL::Anisotropic_mesh_2::Surface_mesh_statistics   Statistics;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace np = CGAL::Anisotropic_mesh_2::parameters;
+
+namespace {
+
+Rectangle square(double side)
+{
+  Rectangle r;
+  r.u_min = r.v_min = -side / 2;
+  r.u_max = r.v_max = side / 2;
+  return r;
+}
+
+double distance(const Point_3& p, const Point_3& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+template <class Mesh>
+CGAL::Surface_mesh<Point_3> in_space(const Mesh& mesh)
+{
+  CGAL::Surface_mesh<Point_3> result;
+  mesh.add_to(result);
+  CHECK(result.is_valid(false) && result.number_of_faces() == mesh.number_of_faces());
+  return result;
+}
+
+int euler_characteristic(const CGAL::Surface_mesh<Point_3>& m)
+{
+  return int(m.number_of_vertices()) - int(m.number_of_edges()) + int(m.number_of_faces());
+}
+
+// the mean quality of the faces for which `is_chosen(face)` holds
+template <class Mesh, class Is_chosen>
+double mean_quality(const Mesh& mesh, const Is_chosen& is_chosen)
+{
+  double sum = 0;
+  int n = 0;
+  for(const auto& f : mesh.faces())
+    if(is_chosen(f)) {
+      sum += CGAL::Anisotropic_mesh_2::internal::surface_quality
+        (std::array<Point_3, 3>{mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2])}, CGAL::Metric_tensor_3<K>());
+      ++n;
+    }
+  CHECK(n >= 5);
+  return sum / n;
+}
+
+// ------------------------------------------------------------- closed surfaces
+
+template <class Mesh>
+void check_closed(const Mesh& mesh, int characteristic, const std::string& name)
+{
+  const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
+  CHECK_MSG(CGAL::is_closed(m) && CGAL::is_triangle_mesh(m), name);
+  CHECK_MSG(euler_characteristic(m) == characteristic, name);
+  CHECK_MSG(PMP::is_outward_oriented(m), name);
+  CHECK_MSG(!PMP::does_self_intersect(m), name);
+}
+
+void check_quality(const Statistics& s, double mean, double least, const std::string& name)
+{
+  CHECK_MSG(s.quality_mean >= mean && s.quality_min >= least,
+            name + ": " + std::to_string(s.quality_mean) + ", " + std::to_string(s.quality_min));
+  CHECK_MSG(s.edge_length_unit_share > 0.98, name + ": " + std::to_string(s.edge_length_unit_share));
+  CHECK_MSG(s.energy_ratio > 0.99 && s.energy_ratio < 1.02, name + ": " + std::to_string(s.energy_ratio));
+}
+
+// The faces that touch the seams of both parameters are as good as the others.
+void test_torus()
+{
+  const auto field = CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3& p) {
+    return 0.1 + 0.2 * std::hypot(std::hypot(p.x(), p.y()) - 2.7, p.z()); // refined at the outer circle
+  });
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
+  check_closed(mesh, 0, "torus");
+  check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.978, 0.6, "torus");
+  const auto crosses_seam = [&](const auto& f) {
+    for(int i = 0; i < 3; ++i) {
+      const Point_2 &p = mesh.parameters(f[i]), &q = mesh.parameters(f[(i + 1) % 3]);
+      if(std::abs(p.x() - q.x()) > CGAL_PI || std::abs(p.y() - q.y()) > CGAL_PI)
+        return true;
+    }
+    return false;
+  };
+  const double at_seam = mean_quality(mesh, crosses_seam);
+  const double elsewhere = mean_quality(mesh, [&](const auto& f) { return !crosses_seam(f); });
+  CHECK_MSG(std::abs(at_seam - elsewhere) < 0.01, std::to_string(at_seam) + ", " + std::to_string(elsewhere));
+}
+
+// The same at the poles, one of which is refined.
+void test_ellipsoid()
+{
+  const Point_3 pole(0, 0, 0.8);
+  const auto field = CGAL::make_surface_metric_field_2(CGAL::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), [=](const Point_3& p) {
+    return 0.03 + 0.1 * distance(p, pole);
+  });
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
+  check_closed(mesh, 2, "ellipsoid");
+  check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.984, 0.6, "ellipsoid");
+  for(double z : {0.8, -0.8}) {
+    const Point_3 p(0, 0, z);
+    const double reach = 4 * (0.03 + 0.1 * distance(p, pole)); // four edges around
+    const auto is_near = [&](const auto& f) { return distance(mesh.point(f[0]), p) < reach; };
+    const double near = mean_quality(mesh, is_near), far = mean_quality(mesh, [&](const auto& f) { return !is_near(f); });
+    CHECK_MSG(std::abs(near - far) < 0.01, std::to_string(near) + " at a pole, " + std::to_string(far));
+  }
+}
+
+void test_curvature_of_ellipsoid()
+{
+  typedef CGAL::Parametric_ellipsoid_3<K> Ellipsoid;
+  const auto mesh = CGAL::make_anisotropic_surface_mesh
+    (CGAL::make_surface_metric_field_2(Ellipsoid(2, 1.2, 0.8), CGAL::Curvature_metric_3<Ellipsoid>(0.01, 0.01, 1)));
+  check_closed(mesh, 2, "ellipsoid, curvature");
+  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  check_quality(s, 0.97, 0.6, "ellipsoid, curvature");
+  CHECK(s.distance_max < 2 * 0.01 * 4 / 0.8); // twice the chord error of the largest radius of curvature
+}
+
+// On a sphere the area of the regions is known, and each place is like any other.
+void test_tessellation_of_sphere()
+{
+  const auto mesh = CGAL::make_anisotropic_surface_mesh
+    (CGAL::make_surface_metric_field_2(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) { return 0.25; }));
+  check_closed(mesh, 2, "sphere");
+  const auto regions = CGAL::anisotropic_surface_voronoi_regions(mesh);
+  CHECK(regions.size() == mesh.number_of_vertices());
+  double sum = 0, mean = 4 * CGAL_PI / double(regions.size());
+  for(std::size_t v = 0; v < regions.size(); ++v) {
+    double area = 0;
+    for(const auto& t : regions[v].tiles)
+      area += std::sqrt(CGAL::squared_area(t[0], t[1], t[2]));
+    sum += area;
+    CHECK_MSG(regions[v].vertex == v && area > 0.6 * mean && area < 1.4 * mean, std::to_string(area / mean));
+    CHECK(regions[v].boundaries.size() == 1);
+    for(const Point_3& p : regions[v].boundaries[0])
+      CHECK(std::abs(distance(p, Point_3(0, 0, 0)) - 1) < 1e-12);
+  }
+  CHECK_MSG(std::abs(sum / (4 * CGAL_PI) - 1) < 0.01, std::to_string(sum)); // tiles are flat
+}
+
+// ------------------------------------------------------------- open surfaces
+
+void test_paper_surfaces()
+{
+  typedef CGAL::Quadratic_graph_surface_3<K> Graph;
+  const auto check = [](const auto& mesh, double mean, double least, const std::string& name) {
+    const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
+    CHECK_MSG(euler_characteristic(m) == 1 && !PMP::does_self_intersect(m), name);
+    check_quality(CGAL::anisotropic_surface_statistics(mesh), mean, least, name);
+  };
+  check(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+    (Graph(1, 1, square(2)), [](const Point_3& p) { return 0.06 + 0.15 * std::abs(p.y()); })), 0.979, 0.6, "paraboloid");
+  check(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+    (Graph(2, -4, square(1)), [](const Point_3&) { return CGAL::Metric_tensor_3<K>::from_sizes(0.04, 0.4, 0.04); })),
+        0.971, 0.55, "saddle, sizes");
+  check(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+    (Graph(2, -4, square(2)), CGAL::Curvature_metric_3<Graph>(0.001, 0.005, 1))), 0.968, 0.55, "saddle, curvature");
+}
+
+// A cylinder and a cone, unrolled, are parts of the plane: with an isotropic
+// metric their meshes have the statistics of the planar ones.
+template <class Surface, class Map>
+void check_developable(const Surface& surface, const Map& unroll, const std::string& name)
+{
+  const double size = 0.06;
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2(surface, [=](const Point_3&) {
+    return size;
+  }));
+  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  check_quality(s, 0.985, 0.8, name);
+  double sum = 0, least = 1, longest = 0, shortest = 10;
+  for(const auto& f : mesh.faces()) {
+    const Point_2 p = unroll(mesh.parameters(f[0])), q = unroll(mesh.parameters(f[1])), r = unroll(mesh.parameters(f[2]));
+    const auto m = CGAL::Anisotropic_mesh_2::internal::Symmetric_form(1 / (size*size), 0, 1 / (size*size));
+    const double quality = CGAL::Anisotropic_mesh_2::internal::metric_quality(p, q, r, m);
+    sum += quality;
+    least = std::min(least, quality);
+    for(const auto& e : {q - p, r - q, p - r}) {
+      longest = std::max(longest, std::sqrt(e.squared_length()) / size);
+      shortest = std::min(shortest, std::sqrt(e.squared_length()) / size);
+    }
+  }
+  CHECK_MSG(std::abs(sum / double(mesh.number_of_faces()) - s.quality_mean) < 2e-3, name);
+  CHECK_MSG(std::abs(least - s.quality_min) < 0.01, name);
+  CHECK_MSG(std::abs(longest - s.edge_length_max) < 5e-3 && std::abs(shortest - s.edge_length_min) < 5e-3, name);
+}
+
+void test_developable_surfaces()
+{
+  Rectangle r;
+  r.u_max = 1.5;
+  check_developable(CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(p.x(), p.y(), 3); }, r),
+                    [](const Point_2& p) { return p; }, "plane");
+  check_developable(CGAL::make_callable_surface_3<K>([](const Point_2& p) {
+    return Point_3(std::cos(p.x()), std::sin(p.x()), p.y());
+  }, r), [](const Point_2& p) { return p; }, "cylinder");
+  r.v_min = 1;
+  r.v_max = 2;
+  check_developable(CGAL::make_callable_surface_3<K>([](const Point_2& p) { // of 60 degrees
+    return Point_3(p.y() / 2 * std::cos(p.x()), p.y() / 2 * std::sin(p.x()), p.y() * std::sqrt(0.75));
+  }, r), [](const Point_2& p) { return Point_2(p.y() * std::sin(p.x() / 2), p.y() * std::cos(p.x() / 2)); }, "cone");
+}
+
+// On the plane the mesh is that of the planar functions, vertex by vertex.
+void test_plane()
+{
+  const Rectangle r;
+  const auto size = [](double x, double y) { return 0.05 + 0.1 * x * y; };
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+    (CGAL::Quadratic_graph_surface_3<K>(0, 0, r), [&](const Point_3& p) { return size(p.x(), p.y()); }));
+  CGAL::Anisotropic_mesh_domain_2<K> domain;
+  domain.add_polygon(std::vector<Point_2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  auto planar = CGAL::make_anisotropic_mesh_2
+    (domain, CGAL::make_isotropic_metric_field_2<K>([&](const Point_2& p) { return size(p.x(), p.y()); }));
+  CGAL::acvt_optimize_mesh_2(planar);
+  CHECK(mesh.number_of_vertices() == planar.number_of_vertices());
+  std::vector<Point_2> on_surface, in_plane(planar.points_begin(), planar.points_end());
+  for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    on_surface.push_back(mesh.parameters(v));
+  std::sort(on_surface.begin(), on_surface.end());
+  std::sort(in_plane.begin(), in_plane.end());
+  CHECK(on_surface == in_plane);
+  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  const auto t = CGAL::anisotropic_mesh_statistics_2(planar);
+  CHECK(std::abs(s.quality_mean - t.quality_mean) < 1e-12 && std::abs(s.quality_min3_min - t.quality_min3_min) < 1e-12);
+  CHECK(std::abs(s.energy / t.energy - 1) < 1e-6 && std::abs(s.ideal_vertices / t.ideal_vertices - 1) < 1e-6);
+  CHECK(std::abs(s.edge_length_mean - t.edge_length_mean) < 1e-4);
+  CHECK(s.distance_max < 1e-15 && s.normal_deviation_max < 1e-15);
+}
+
+// A tube is closed in one direction, and keeps its ends.
+void test_tube()
+{
+  Rectangle r;
+  r.u_max = 2 * CGAL_PI;
+  r.u_is_periodic = true;
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+    (CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(std::cos(p.x()), std::sin(p.x()), p.y()); }, r),
+     [](const Point_3&) { return 0.15; }));
+  const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
+  CHECK(euler_characteristic(m) == 0 && !PMP::does_self_intersect(m));
+  int ends = 0;
+  for(const auto h : m.halfedges())
+    if(m.is_border(h)) {
+      const double z = m.point(m.target(h)).z();
+      CHECK(z == 0 || z == 1);
+      ++ends;
+    }
+  CHECK(ends == 2 * 42); // the circumference is 41.9 sizes
+  check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.985, 0.8, "tube");
+}
+
+void test_refusals()
+{
+  const auto unit = [](const Point_3&) { return 0.2; };
+  const auto folded = [](const Point_2& p) { return Point_3(p.x() * p.x(), p.y(), 0); };
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+                 (CGAL::make_callable_surface_3<K>(folded, Rectangle()), unit)),
+               CGAL::Degenerate_parametrization_exception, "the derivative of the surface by u is zero at the point (0, ");
+  Rectangle r;
+  r.u_is_periodic = r.v_is_periodic = true;
+  const auto broken = [](const Point_2& p) { return Point_3(std::log(p.x() - 0.5), p.y(), 0); };
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+                 (CGAL::make_callable_surface_3<K>(broken, r), unit)),
+               CGAL::Degenerate_parametrization_exception, "of the parameters (u, v)");
+  const auto tiny = CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return 1e-5; });
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(tiny, np::maximum_number_of_vertices(1000)),
+               CGAL::Too_many_vertices_exception, "1000");
+}
+
+} // namespace
+
+int main()
+{
+  test_torus();
+  test_ellipsoid();
+  test_curvature_of_ellipsoid();
+  test_tessellation_of_sphere();
+  test_paper_surfaces();
+  test_developable_surfaces();
+  test_plane();
+  test_tube();
+  test_refusals();
+  return finish();
+}
