@@ -20,7 +20,7 @@
 
 namespace CGAL {
 
-template <class Mesh, class Distance> class Anisotropic_Voronoi_diagram_2;
+template <class Mesh, class Distance, class ConcurrencyTag> class Anisotropic_Voronoi_diagram_2;
 
 namespace IO {
 
@@ -68,12 +68,12 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Q
 /// what `drawing` asks for.
 ///
 /// The width of lines follows that of the regions.
-template <class Mesh, class Distance>
-void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance>& diagram,
+template <class Mesh, class Distance, class ConcurrencyTag>
+void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag>& diagram,
                const std::string& title = std::string(),
                const Anisotropic_mesh_2::Voronoi_drawing& drawing = Anisotropic_mesh_2::Voronoi_drawing())
 {
-  typedef Anisotropic_Voronoi_diagram_2<Mesh, Distance> Diagram;
+  typedef Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag> Diagram;
   Anisotropic_mesh_2::internal::Svg_voronoi_diagram<Diagram>(diagram, drawing).write(os, title);
 }
 
