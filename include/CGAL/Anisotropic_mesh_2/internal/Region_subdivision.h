@@ -95,7 +95,7 @@ private:
   // have two nearest generators: edges are cut a little off their midpoints.
   static constexpr double place_of_cut = 0.46;
 
-  static constexpr std::size_t faces_of_chunk = 256;
+  static constexpr std::size_t faces_of_chunk = 64;
 
   void copy(const Mesh& mesh, const std::vector<std::size_t>& region_of)
   {
