@@ -325,11 +325,11 @@ private:
     }
   }
 
-  const Mesh&                                                     m_mesh;
-  const Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance> m_generators;
-  std::vector<Region>                                             m_regions;
-  std::vector<Bisector>                                           m_bisectors;
-  std::vector<std::vector<std::size_t> >                          m_neighbors;
+  const Mesh&                                                   m_mesh;
+  Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance> m_generators;
+  std::vector<Region>                                           m_regions;
+  std::vector<Bisector>                                         m_bisectors;
+  std::vector<std::vector<std::size_t> >                        m_neighbors;
 };
 
 } // namespace CGAL

@@ -67,7 +67,8 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Q
 /// their orphans in a strong tone of the same color, the constrained edges, and
 /// what `drawing` asks for.
 ///
-/// The width of lines follows that of the regions.
+/// The width of lines follows that of the regions. With the tag `Parallel_tag` all threads draw, and the file is
+/// the same.
 template <class Mesh, class Distance, class ConcurrencyTag>
 void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag>& diagram,
                const std::string& title = std::string(),
