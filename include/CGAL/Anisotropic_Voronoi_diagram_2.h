@@ -7,10 +7,11 @@
 #ifndef CGAL_ANISOTROPIC_VORONOI_DIAGRAM_2_H
 #define CGAL_ANISOTROPIC_VORONOI_DIAGRAM_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Generator_set.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Mesh_generators.h>
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Polyline_chainer.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_assembler.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Region_integrator.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Region_subdivision.h>
 #include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
@@ -18,13 +19,14 @@
 #include <CGAL/Anisotropic_mesh_2/Voronoi_bisector_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_duality_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_region_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -57,12 +59,18 @@ namespace CGAL {
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam Distance a model of `VoronoiDistance_2`.
-template <class Mesh_, class Distance_ = Anisotropic_mesh_2::Directional_distance_2>
+/// \tparam ConcurrencyTag enables sequential or parallel construction: `Sequential_tag`, `Parallel_tag` or
+/// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field, but not the distance, from
+/// several threads at the same time. The diagram is the same to the bit; with every tag several
+/// threads may call its members at the same time.
+template <class Mesh_, class Distance_ = Anisotropic_mesh_2::Directional_distance_2,
+          class ConcurrencyTag_ = Parallel_if_available_tag>
 class Anisotropic_Voronoi_diagram_2
 {
 public:
   typedef Mesh_                                                          Mesh;
   typedef Distance_                                                      Distance;
+  typedef ConcurrencyTag_                                                ConcurrencyTag;
   typedef typename Mesh::Kernel                                          Kernel;
   typedef typename Mesh::Point                                           Point_2;
   typedef typename Mesh::Vertex_handle                                   Vertex_handle;
@@ -83,17 +91,15 @@ public:
   /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
   explicit Anisotropic_Voronoi_diagram_2(const Mesh& mesh, const Distance& distance = Distance(),
                                          double tolerance = 1e-4)
-    : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()),
-      m_generators(collect_generators(distance))
+    : m_mesh(mesh), m_generators(mesh, distance)
   {
     CGAL_precondition(tolerance >= 1e-9 && tolerance <= 0.1);
-    const auto place_at = [this](const Vector& x) { return this->place_at(x); };
-    typedef Anisotropic_mesh_2::internal::Region_subdivision<Mesh, decltype(place_at)> Subdivision;
-    const Subdivision subdivision(mesh, m_generators, m_region_of, place_at, tolerance);
-    const Anisotropic_mesh_2::internal::Region_assembler<Subdivision> assembler(subdivision);
-    take_pieces(assembler);
-    take_tiles(assembler);
-    take_bisectors(assembler);
+    const auto place_at = [this](const Vector& x) { return m_generators.place_at(x); };
+    typedef Anisotropic_mesh_2::internal::Region_subdivision<Mesh, decltype(place_at), ConcurrencyTag> Subdivision;
+    const Subdivision subdivision(mesh, m_generators.set(), m_generators.numbers(), place_at, tolerance);
+    const Anisotropic_mesh_2::internal::Region_assembler<Subdivision> assembler(subdivision, m_generators.set().size());
+    take_regions(assembler);
+    collect_neighbors();
   }
   /// @}
 
@@ -112,7 +118,7 @@ public:
   const Region& region(std::size_t i) const { return m_regions[i]; }
 
   /// the index of the region of a vertex of the domain.
-  std::size_t index(Vertex_handle v) const { return m_region_of[v->index()]; }
+  std::size_t index(Vertex_handle v) const { return m_generators.numbers()[v->index()]; }
 
   /// the curves between the regions.
   const std::vector<Bisector>& bisectors() const { return m_bisectors; }
@@ -124,14 +130,14 @@ public:
   /// several; decided by the distances to the generators alone, without the regions.
   std::size_t nearest_generator(const Point_2& p) const
   {
-    CGAL_precondition(m_generators.size() > 0);
-    return m_generators.nearest(place_at(Anisotropic_mesh_2::internal::to_doubles(p)));
+    CGAL_precondition(number_of_regions() > 0);
+    return m_generators.set().nearest(place_at(p));
   }
 
   /// the squared distance from `p` to the generator of region `i`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
-    return m_generators.squared_distance(place_at(Anisotropic_mesh_2::internal::to_doubles(p)), i);
+    return m_generators.set().squared_distance(place_at(p), i);
   }
   /// @}
 
@@ -149,8 +155,8 @@ public:
                       double tolerance = 1e-4) const
   {
     Integrals result;
-    const auto sum = integrate(i, measure, tolerance, result.mass_centre_error);
-    const Vector& z = m_generators.position(i);
+    const auto sum = m_generators.integrate(i, triangles(i), measure, tolerance, result.mass_centre_error);
+    const Vector& z = m_generators.set().position(i);
     Vector pull;
     sum.moments.pull(pull.x, pull.y);
     result.mass_centre = point({z.x + pull.x, z.y + pull.y});
@@ -186,123 +192,144 @@ public:
   /// @}
 
 private:
-  typedef Anisotropic_mesh_2::internal::Vector_of_doubles Vector;
-  typedef Anisotropic_mesh_2::internal::Symmetric_form    Form;
-  typedef Anisotropic_mesh_2::internal::Place             Place;
+  typedef Anisotropic_mesh_2::internal::Vector_of_doubles   Vector;
+  typedef Anisotropic_mesh_2::internal::Triangle_of_doubles Triangle;
+  typedef Anisotropic_mesh_2::internal::Link                Link;
+  typedef Anisotropic_mesh_2::internal::Polyline_chainer    Chainer;
+
+  static constexpr std::size_t regions_of_chunk = 128;
+
+  // a segment of the boundary of a piece, and the piece on its right
+  struct Border
+  {
+    Link        link;
+    std::size_t beyond;
+  };
 
   static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
 
-  Form tensor_at(const Vector& x) const { return Form(m_tensor(point(x))); }
-
-  Place place_at(const Vector& x) const
+  Anisotropic_mesh_2::internal::Place place_at(const Point_2& p) const
   {
-    return {x, m_generators.is_measured_at_generators() ? Form(1, 0, 1) : tensor_at(x)};
+    return m_generators.place_at(Anisotropic_mesh_2::internal::to_doubles(p));
   }
 
-  Anisotropic_mesh_2::internal::Region_sum integrate(std::size_t i, Anisotropic_mesh_2::Measure measure,
-                                                     double tolerance, double& error) const
+  std::vector<Triangle> triangles(std::size_t i) const
   {
-    const bool is_riemannian = measure == Anisotropic_mesh_2::Measure::RIEMANNIAN;
-    const auto density = [&](const Vector& x, Form& m, double& w) {
-      if(is_riemannian || !m_generators.is_measured_at_generators())
-        m = tensor_at(x);
-      w = is_riemannian ? std::sqrt(m.determinant()) : 1;
-      m = m_generators.tensor({x, m}, i);
-    };
     using Anisotropic_mesh_2::internal::to_doubles;
-    std::vector<Anisotropic_mesh_2::internal::Triangle_of_doubles> triangles;
+    std::vector<Triangle> result;
     for(const typename Region::Tile& t : m_regions[i].tiles)
-      triangles.push_back({to_doubles(t[0]), to_doubles(t[1]), to_doubles(t[2])});
-    const Anisotropic_mesh_2::internal::Region_integrator<decltype(density)> integrator(density, tolerance);
-    return integrator(triangles, m_generators.position(i), error);
+      result.push_back({to_doubles(t[0]), to_doubles(t[1]), to_doubles(t[2])});
+    return result;
   }
 
-  Anisotropic_mesh_2::internal::Generator_set collect_generators(const Distance& distance)
+  // Bisectors are those of each region with the regions after it, in the order of the regions.
+  template <class Assembler>
+  void take_regions(const Assembler& assembler)
   {
-    std::vector<bool> is_used(m_mesh.vertex_index_bound(), false);
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f)
-      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
-        is_used[f->vertex(i)->index()] = true;
-    m_region_of.assign(is_used.size(), static_cast<std::size_t>(-1));
-    Anisotropic_mesh_2::internal::Vectors positions;
-    std::vector<Form> tensors;
-    for(auto v = m_mesh.finite_vertices_begin(); v != m_mesh.finite_vertices_end(); ++v) {
-      if(!is_used[v->index()])
-        continue;
-      m_region_of[v->index()] = m_regions.size();
-      m_regions.emplace_back();
-      m_regions.back().vertex = v;
-      m_regions.back().generator = v->point();
-      m_regions.back().is_fixed = m_mesh.is_fixed(v);
-      positions.push_back(Anisotropic_mesh_2::internal::to_doubles(v->point()));
-      if constexpr(Distance::is_measured_at_generators)
-        tensors.push_back(Form(distance(Vertex_handle(v))));
-    }
-    return Anisotropic_mesh_2::internal::Generator_set(std::move(positions), std::move(tensors));
+    using namespace Anisotropic_mesh_2::internal;
+    const std::size_t n = m_generators.set().size();
+    m_regions.resize(n);
+    std::vector<std::vector<Bisector> > bisectors(number_of_chunks(n, regions_of_chunk));
+    for_each_chunk<ConcurrencyTag>(n, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        take_region(assembler, i, bisectors[chunk]);
+    }, regions_of_chunk);
+    m_bisectors = joined(std::move(bisectors));
   }
 
   template <class Assembler>
-  static std::vector<Point_2> points(const Assembler& assembler, const std::vector<std::size_t>& line)
+  void take_region(const Assembler& assembler, std::size_t i, std::vector<Bisector>& bisectors)
+  {
+    Region& r = m_regions[i];
+    r.vertex = m_generators.vertices()[i];
+    r.generator = r.vertex->point();
+    r.is_fixed = m_mesh.is_fixed(r.vertex);
+    for(std::size_t p = assembler.first_piece(i); p < assembler.first_piece(i + 1); ++p) {
+      std::vector<Border> borders;
+      assembler.for_each_border(p, [&](const Link& link, std::size_t beyond) { borders.push_back({link, beyond}); });
+      Piece piece;
+      piece.is_main = assembler.is_main(p);
+      piece.area = take_tiles(assembler, p, r.tiles);
+      piece.boundaries = boundaries(assembler, borders);
+      r.area += piece.area;
+      r.pieces.push_back(std::move(piece));
+      take_bisectors(assembler, p, std::move(borders), bisectors);
+    }
+  }
+
+  // Returns the area of the piece.
+  template <class Assembler>
+  static double take_tiles(const Assembler& assembler, std::size_t piece, std::vector<typename Region::Tile>& tiles)
+  {
+    double sum = 0;
+    assembler.for_each_triangle(piece, [&](const Triangle& t) {
+      tiles.push_back({point(t[0]), point(t[1]), point(t[2])});
+      sum += Anisotropic_mesh_2::internal::area(t);
+    });
+    return sum;
+  }
+
+  template <class Assembler>
+  static std::vector<std::vector<Point_2> > boundaries(const Assembler& assembler, const std::vector<Border>& borders)
+  {
+    std::vector<Link> links;
+    for(const Border& b : borders)
+      links.push_back(b.link);
+    std::vector<std::vector<Point_2> > result;
+    for(const Chainer::Line& line : Chainer(std::move(links), assembler.points())())
+      result.push_back(points(assembler, line));
+    return result;
+  }
+
+  // The bisectors of the piece with the pieces after it.
+  template <class Assembler>
+  static void take_bisectors(const Assembler& assembler, std::size_t piece, std::vector<Border> borders,
+                             std::vector<Bisector>& bisectors)
+  {
+    std::sort(borders.begin(), borders.end(), [](const Border& b, const Border& c) { return b.beyond < c.beyond; });
+    for(std::size_t i = 0; i < borders.size();) {
+      const std::size_t beyond = borders[i].beyond;
+      std::vector<Link> links;
+      for(; i < borders.size() && borders[i].beyond == beyond; ++i)
+        links.push_back(borders[i].link);
+      if(beyond < piece || beyond == Assembler::outside)
+        continue;
+      const bool are_main = assembler.is_main(piece) && assembler.is_main(beyond);
+      for(const Chainer::Line& line : Chainer(std::move(links), assembler.points())())
+        bisectors.push_back(Bisector{{assembler.region(piece), assembler.region(beyond)}, are_main, line.is_closed,
+                                     points(assembler, line)});
+    }
+  }
+
+  template <class Assembler>
+  static std::vector<Point_2> points(const Assembler& assembler, const Chainer::Line& line)
   {
     std::vector<Point_2> result;
-    for(std::size_t i : line)
+    result.reserve(line.points.size());
+    for(std::size_t i : line.points)
       result.push_back(point(assembler.points()[i]));
     return result;
   }
 
-  template <class Assembler>
-  void take_pieces(const Assembler& assembler)
-  {
-    for(const auto& p : assembler.pieces()) {
-      Piece piece;
-      piece.is_main = p.is_main;
-      piece.area = p.area;
-      for(const auto& line : Anisotropic_mesh_2::internal::Polyline_chainer(p.boundary, assembler.points())())
-        piece.boundaries.push_back(points(assembler, line.points));
-      m_regions[p.region].area += p.area;
-      m_regions[p.region].pieces.push_back(std::move(piece));
-    }
-    for(Region& r : m_regions)
-      std::stable_partition(r.pieces.begin(), r.pieces.end(), [](const Piece& p) { return p.is_main; });
-  }
-
-  // Parts of faces are seen from their first points.
-  template <class Assembler>
-  void take_tiles(const Assembler& assembler)
-  {
-    assembler.for_each_part([&](std::size_t region, const std::vector<std::size_t>& polygon) {
-      const std::vector<Point_2> p = points(assembler, polygon);
-      for(std::size_t i = 2; i < p.size(); ++i)
-        m_regions[region].tiles.push_back({p[0], p[i - 1], p[i]});
-    });
-  }
-
-  template <class Assembler>
-  void take_bisectors(const Assembler& assembler)
+  void collect_neighbors()
   {
     m_neighbors.resize(m_regions.size());
-    for(const auto& b : assembler.bisectors()) {
-      const auto &left = assembler.pieces()[b.pieces[0]], &right = assembler.pieces()[b.pieces[1]];
-      m_bisectors.push_back(Bisector{{left.region, right.region}, left.is_main && right.is_main, b.line.is_closed,
-                                     points(assembler, b.line.points)});
-      if(m_bisectors.back().is_between_main_pieces) {
-        m_neighbors[left.region].push_back(right.region);
-        m_neighbors[right.region].push_back(left.region);
+    for(const Bisector& b : m_bisectors)
+      if(b.is_between_main_pieces) {
+        m_neighbors[b.regions[0]].push_back(b.regions[1]);
+        m_neighbors[b.regions[1]].push_back(b.regions[0]);
       }
-    }
     for(std::vector<std::size_t>& n : m_neighbors) {
       std::sort(n.begin(), n.end());
       n.erase(std::unique(n.begin(), n.end()), n.end());
     }
   }
 
-  const Mesh&                                             m_mesh;
-  const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
-  std::vector<std::size_t>                                m_region_of; // by the index of the vertex
-  std::vector<Region>                                     m_regions;
-  Anisotropic_mesh_2::internal::Generator_set             m_generators;
-  std::vector<Bisector>                                   m_bisectors;
-  std::vector<std::vector<std::size_t> >                  m_neighbors;
+  const Mesh&                                                   m_mesh;
+  Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance> m_generators;
+  std::vector<Region>                                           m_regions;
+  std::vector<Bisector>                                         m_bisectors;
+  std::vector<std::vector<std::size_t> >                        m_neighbors;
 };
 
 } // namespace CGAL

@@ -2,13 +2,17 @@
 
 #include "check.h"
 #include "meshes.h"
+#include "voronoi_diagrams.h"
 
 #include <CGAL/acvt_optimize_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
 
 #include <cmath>
+#include <cstddef>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -61,6 +65,123 @@ void test_optimizers(const Case& c)
   });
 }
 
+void test_full_regions(const Case& c)
+{
+  test_same_bits(c.name + " by full regions", CGAL::make_anisotropic_mesh_2(c.domain, c.field), [](Mesh& mesh, auto tag) {
+    const auto evaluation = CGAL::Anisotropic_mesh_2::Region_evaluation::FULL_REGIONS;
+    CGAL::lloyd_optimize_anisotropic_mesh_2<decltype(tag)>
+      (mesh, np::region_evaluation(evaluation).number_of_iterations(2));
+    return CGAL::anisotropic_mesh_statistics_2<decltype(tag)>(mesh).energy;
+  });
+}
+
+void add(const std::vector<Point>& points, std::vector<double>& result)
+{
+  result.push_back(double(points.size()));
+  for(const Point& p : points)
+    for(double x : {p.x(), p.y()})
+      result.push_back(x);
+}
+
+template <class Diagram>
+std::vector<double> fingerprint_of_regions(const Diagram& diagram)
+{
+  std::vector<double> result;
+  for(std::size_t i = 0; i < diagram.number_of_regions(); ++i) {
+    const auto& r = diagram.region(i);
+    const auto integrals = diagram.integrals(i);
+    for(double x : {r.area, double(r.number_of_orphans()), integrals.area, integrals.energy})
+      result.push_back(x);
+    add({integrals.mass_centre}, result);
+    for(const auto& piece : r.pieces) {
+      result.push_back(piece.area);
+      for(const auto& boundary : piece.boundaries)
+        add(boundary, result);
+    }
+    for(const auto& tile : r.tiles)
+      add({tile[0], tile[1], tile[2]}, result);
+    result.insert(result.end(), diagram.neighbors(i).begin(), diagram.neighbors(i).end());
+  }
+  return result;
+}
+
+template <class Diagram>
+std::vector<double> fingerprint_of_bisectors(const Diagram& diagram)
+{
+  std::vector<double> result;
+  for(const auto& b : diagram.bisectors()) {
+    for(std::size_t x : {b.regions[0], b.regions[1], std::size_t(b.is_closed), std::size_t(b.is_between_main_pieces)})
+      result.push_back(double(x));
+    add(b.points, result);
+  }
+  return result;
+}
+
+template <class Diagram>
+std::string picture_of(const Diagram& diagram)
+{
+  CGAL::Anisotropic_mesh_2::Voronoi_drawing drawing;
+  drawing.dual_edges = drawing.mass_centres = drawing.generators = true;
+  std::ostringstream os;
+  CGAL::IO::write_SVG(os, diagram, "threads", drawing);
+  return os.str();
+}
+
+struct Fingerprints
+{
+  std::vector<double> regions, bisectors;
+  std::string         picture;
+
+  template <class Diagram>
+  explicit Fingerprints(const Diagram& diagram)
+    : regions(fingerprint_of_regions(diagram)), bisectors(fingerprint_of_bisectors(diagram)), picture(picture_of(diagram))
+  {}
+};
+
+template <class Distance>
+void test_diagram(const Mesh& mesh, const std::string& name)
+{
+  const Fingerprints expected(CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Distance, CGAL::Sequential_tag>{mesh});
+  for(int threads : {1, 2, 8}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const Fingerprints f(CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Distance, CGAL::Parallel_tag>{mesh});
+    CHECK_MSG(f.regions == expected.regions, name + ", threads: " + std::to_string(threads));
+    CHECK_MSG(f.bisectors == expected.bisectors, name + ", threads: " + std::to_string(threads));
+    CHECK_MSG(f.picture == expected.picture, name + ", threads: " + std::to_string(threads));
+  }
+}
+
+// random generators have many orphans
+void test_diagrams(const Case& graded)
+{
+  const Mesh mesh = CGAL::make_anisotropic_mesh_2(graded.domain, graded.field);
+  test_diagram<Directional>(mesh, graded.name);
+  test_diagram<Labelle_Shewchuk>(mesh, graded.name + " at generators");
+  const Mesh random = mesh_of(square(), random_points(1000, 5), layer_field);
+  const Diagram diagram(random);
+  std::size_t orphans = 0;
+  for(const auto& r : diagram.regions())
+    orphans += r.number_of_orphans();
+  CHECK_MSG(orphans > 0, "orphans: " + std::to_string(orphans));
+  test_diagram<Directional>(random, "random generators");
+}
+
+// a field that fails in a corner of the domain, after the vertices have their tensors
+void test_failing_field()
+{
+  bool fails = false;
+  const Mesh mesh = mesh_of(square(), random_points(1000, 6), [&](const Point& p) {
+    if(fails && p.x() + p.y() > 1.5)
+      throw std::runtime_error("no tensor here");
+    return turning(p);
+  });
+  fails = true;
+  for(int threads : {1, 2, 8}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    CHECK_THROWS(Diagram{mesh}, std::runtime_error, "no tensor here");
+  }
+}
+
 // Of several failures the one of the first task is reported.
 void test_exceptions()
 {
@@ -94,6 +215,9 @@ int main()
   fine.field = [](const Point& p) { return Tensor::from_sizes(0.22 * (0.031 + p.x() / 4), 0.22 * (0.031 + p.y() / 4)); };
   test_optimizers(fine);
   test_optimizers(unit_square_cases()[2]);
+  test_full_regions(paper_cases()[2]);
+  test_diagrams(fine);
+  test_failing_field();
   test_exceptions();
   test_sums();
   return finish();

@@ -20,7 +20,7 @@
 
 namespace CGAL {
 
-template <class Mesh, class Distance> class Anisotropic_Voronoi_diagram_2;
+template <class Mesh, class Distance, class ConcurrencyTag> class Anisotropic_Voronoi_diagram_2;
 
 namespace IO {
 
@@ -67,13 +67,14 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Q
 /// their orphans in a strong tone of the same color, the constrained edges, and
 /// what `drawing` asks for.
 ///
-/// The width of lines follows that of the regions.
-template <class Mesh, class Distance>
-void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance>& diagram,
+/// The width of lines follows that of the regions. With the tag `Parallel_tag` all threads draw, and the file is
+/// the same.
+template <class Mesh, class Distance, class ConcurrencyTag>
+void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag>& diagram,
                const std::string& title = std::string(),
                const Anisotropic_mesh_2::Voronoi_drawing& drawing = Anisotropic_mesh_2::Voronoi_drawing())
 {
-  typedef Anisotropic_Voronoi_diagram_2<Mesh, Distance> Diagram;
+  typedef Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag> Diagram;
   Anisotropic_mesh_2::internal::Svg_voronoi_diagram<Diagram>(diagram, drawing).write(os, title);
 }
 

@@ -9,12 +9,12 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Face_divider.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Generator_set.h>
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 
 #include <CGAL/Triangulation_data_structure_2.h>
 
 #include <cmath>
 #include <cstddef>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -46,9 +46,10 @@ public:
   struct Rebind_TDS { typedef Region_face_base<Tds2> Other; };
   using Base::Base;
 
-  bool        is_in_domain = false;
-  bool        is_pending = false; // whether it is to be examined
-  std::size_t division = static_cast<std::size_t>(-1); // its index, once it is examined
+  bool         is_in_domain = false;
+  bool         is_pending = false; // whether it is to be examined
+  Divided_face division;           // once it is examined
+  std::size_t  number = 0;         // of the face in the domain, at the end
 };
 
 // The domain of a mesh, its faces bisected until each one lies in the regions
@@ -56,7 +57,10 @@ public:
 //
 // Edges are bisected that are the longest of both their faces, so that no face
 // has a vertex within an edge and faces do not become needles.
-template <class Mesh, class Place_at>
+//
+// Faces are examined in rounds, at the same time with `Parallel_tag`; those that
+// are refused are bisected one after the other before the next round.
+template <class Mesh, class Place_at, class ConcurrencyTag>
 class Region_subdivision
 {
 public:
@@ -69,20 +73,29 @@ public:
   // vertices outside of the domain do not have.
   Region_subdivision(const Mesh& mesh, const Generator_set& generators, const std::vector<std::size_t>& region_of,
                      const Place_at& place_at, double tolerance)
-    : m_generators(generators), m_place_at(place_at), m_divider(generators, place_at, tolerance),
+    : m_generators(generators), m_place_at(place_at), m_tolerance(tolerance),
       m_maximum_number_of_vertices(200000 + 200 * generators.size())
   {
     copy(mesh, region_of);
-    examine_all();
+    std::vector<Face_handle> pending = faces_in_domain();
+    while(!pending.empty())
+      pending = bisect(examine(pending));
+    m_faces = faces_in_domain();
+    for(std::size_t i = 0; i < m_faces.size(); ++i)
+      m_faces[i]->number = i;
   }
 
   const Tds& tds() const { return m_tds; }
-  const Divided_face& division(Face_handle f) const { return m_divisions[f->division]; }
+
+  // those of the domain, in the order of their numbers
+  const std::vector<Face_handle>& faces() const { return m_faces; }
 
 private:
   // Bisectors pass through the midpoints of generators, where vertices would
   // have two nearest generators: edges are cut a little off their midpoints.
   static constexpr double place_of_cut = 0.46;
+
+  static constexpr std::size_t faces_of_chunk = 64;
 
   void copy(const Mesh& mesh, const std::vector<std::size_t>& region_of)
   {
@@ -110,10 +123,10 @@ private:
       { return typename Tds::Face(); }
       void operator()(const typename Mesh::Triangulation_data_structure::Face& f, typename Tds::Face& copy) const
       {
-        copy.is_in_domain = copy.is_pending = f.is_in_domain();
+        copy.is_in_domain = f.is_in_domain();
       }
     };
-    m_tds.copy_tds(mesh.tds(), mesh.infinite_vertex(), 
+    m_tds.copy_tds(mesh.tds(), mesh.infinite_vertex(),
                    Convert_vertex{mesh, region_of, m_generators.is_measured_at_generators()}, Convert_face());
     std::size_t id = 0;
     for(auto v = m_tds.vertices_begin(); v != m_tds.vertices_end(); ++v)
@@ -130,40 +143,51 @@ private:
 
   void label(Corner& c) const { c.label = m_generators.nearest(c.place, c.label); }
 
-  void examine_all()
+  std::vector<Face_handle> faces_in_domain()
   {
-    std::deque<Face_handle> pending;
+    std::vector<Face_handle> faces;
     for(auto f = m_tds.faces_begin(); f != m_tds.faces_end(); ++f)
-      if(f->is_pending)
-        pending.push_back(f);
-    while(!pending.empty()) {
-      const Face_handle f = pending.front();
-      pending.pop_front();
-      if(!f->is_pending)
-        continue;
-      f->is_pending = !examine(f);
-      if(f->is_pending) {
-        cut(last_edge_of_path(f), pending);
-        pending.push_back(f);
-      }
-    }
+      if(f->is_in_domain)
+        faces.push_back(f);
+    return faces;
   }
 
-  // Divides the face among the generators, or says that it is to be bisected.
-  bool examine(Face_handle f)
+  // Divides faces among the generators; returns those that are to be bisected.
+  std::vector<Face_handle> examine(const std::vector<Face_handle>& pending) const
   {
     const bool is_last = m_tds.number_of_vertices() > m_maximum_number_of_vertices;
-    Divided_face d;
-    if(!m_divider(f->vertex(0)->corner, f->vertex(1)->corner, f->vertex(2)->corner, is_last, d))
-      return false;
-    f->division = m_free_divisions.empty() ? m_divisions.size() : m_free_divisions.back();
-    if(m_free_divisions.empty())
-      m_divisions.push_back(std::move(d));
-    else {
-      m_divisions[f->division] = std::move(d);
-      m_free_divisions.pop_back();
+    std::vector<std::vector<Face_handle> > refused(number_of_chunks(pending.size(), faces_of_chunk));
+    for_each_chunk<ConcurrencyTag>(pending.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+      Face_divider<Place_at> divide(m_generators, m_place_at, m_tolerance);
+      for(std::size_t i = begin; i < end; ++i) {
+        const Face_handle f = pending[i];
+        f->is_pending = false;
+        f->division = Divided_face();
+        if(!divide(f->vertex(0)->corner, f->vertex(1)->corner, f->vertex(2)->corner, is_last, f->division))
+          refused[chunk].push_back(f);
+      }
+    }, faces_of_chunk);
+    return joined(std::move(refused));
+  }
+
+  // Bisects faces that have been refused, and others on the way; returns the faces to be examined next.
+  std::vector<Face_handle> bisect(const std::vector<Face_handle>& refused)
+  {
+    std::vector<Face_handle> pending;
+    for(Face_handle f : refused) {
+      while(!f->is_pending && m_tds.number_of_vertices() <= m_maximum_number_of_vertices)
+        cut(last_edge_of_path(f), pending);
+      add_pending(f, pending); // if the bisection ends early
     }
-    return true;
+    return pending;
+  }
+
+  static void add_pending(Face_handle f, std::vector<Face_handle>& pending)
+  {
+    if(f->is_pending)
+      return;
+    f->is_pending = true;
+    pending.push_back(f);
   }
 
   // From the longest edge of the face on to the longest one of the face beyond,
@@ -216,7 +240,7 @@ private:
     return u->id < v->id ? std::make_pair(u, v) : std::make_pair(v, u);
   }
 
-  void cut(const Edge& e, std::deque<Face_handle>& pending)
+  void cut(const Edge& e, std::vector<Face_handle>& pending)
   {
     const auto uv = ends(e);
     const Vector_of_doubles p = uv.first->corner.place.at, q = uv.second->corner.place.at;
@@ -224,10 +248,9 @@ private:
     const Edge mirror = m_tds.mirror_edge(e);
     const bool is_other_in_domain = mirror.first->is_in_domain;
     const Vertex_handle apex = e.first->vertex(e.second);
-    forget_division(e.first);
-    forget_division(mirror.first);
 
-    const Vertex_handle v = m_tds.insert_in_edge(e.first, e.second);
+    // from the other side: so no face of the domain becomes one outside
+    const Vertex_handle v = m_tds.insert_in_edge(mirror.first, mirror.second);
     v->id = m_tds.number_of_vertices() - 1;
     v->corner.place = m_place_at({p.x + place_of_cut * (q.x - p.x), p.y + place_of_cut * (q.y - p.y)});
     v->corner.label = hint;
@@ -235,27 +258,17 @@ private:
     auto f = m_tds.incident_faces(v), first = f;
     do {
       f->is_in_domain = f->has_vertex(apex) || is_other_in_domain;
-      f->is_pending = f->is_in_domain;
-      if(f->is_pending)
-        pending.push_back(f);
+      if(f->is_in_domain)
+        add_pending(f, pending);
     } while(++f != first);
   }
 
-  void forget_division(Face_handle f)
-  {
-    if(f->division == static_cast<std::size_t>(-1))
-      return;
-    m_free_divisions.push_back(f->division);
-    f->division = static_cast<std::size_t>(-1);
-  }
-
-  const Generator_set&         m_generators;
-  const Place_at&              m_place_at;
-  Face_divider<Place_at>       m_divider;
-  const std::size_t            m_maximum_number_of_vertices;
-  Tds                          m_tds;
-  std::deque<Divided_face>     m_divisions;
-  std::vector<std::size_t>     m_free_divisions;
+  const Generator_set&     m_generators;
+  const Place_at&          m_place_at;
+  const double             m_tolerance;
+  const std::size_t        m_maximum_number_of_vertices;
+  Tds                      m_tds;
+  std::vector<Face_handle> m_faces;
 };
 
 } // namespace internal

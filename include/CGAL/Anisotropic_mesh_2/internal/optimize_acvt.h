@@ -59,7 +59,7 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, double energy_reduction,
     if(evaluation == Region_evaluation::VISIBILITY_REGIONS)
       return run(Visibility_energy<Mesh>(mesh, measure));
     if(evaluation == Region_evaluation::FULL_REGIONS)
-      return run(Full_region_energy<Mesh>(mesh, measure));
+      return run(Full_region_energy<Mesh, ConcurrencyTag>(mesh, measure));
   }
   return run(Acvt_energy<Mesh, ConcurrencyTag>(mesh, measure));
 }

@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <iterator>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,15 +59,15 @@ void for_each_task(std::size_t n, const Function& f)
     f(i);
 }
 
-constexpr std::size_t size_of_chunk = 2048;
-inline std::size_t number_of_chunks(std::size_t n) { return (n + size_of_chunk - 1) / size_of_chunk; }
+constexpr std::size_t size_of_chunk = 2048; // of cheap tasks
+inline std::size_t number_of_chunks(std::size_t n, std::size_t size = size_of_chunk) { return (n + size - 1) / size; }
 
 // Calls f(chunk, begin, end) for the chunks of [0, n).
 template <class ConcurrencyTag, class Function>
-void for_each_chunk(std::size_t n, const Function& f)
+void for_each_chunk(std::size_t n, const Function& f, std::size_t size = size_of_chunk)
 {
-  for_each_task<ConcurrencyTag>(number_of_chunks(n), [&](std::size_t chunk) {
-    f(chunk, chunk * size_of_chunk, std::min(n, (chunk + 1) * size_of_chunk));
+  for_each_task<ConcurrencyTag>(number_of_chunks(n, size), [&](std::size_t chunk) {
+    f(chunk, chunk * size, std::min(n, (chunk + 1) * size));
   });
 }
 
@@ -94,6 +96,20 @@ double sum_over(std::size_t n, const Function& f)
   return sum;
 }
 
+// What chunks have collected, in their order.
+template <class Item>
+std::vector<Item> joined(std::vector<std::vector<Item> > of_chunk)
+{
+  std::size_t size = 0;
+  for(const std::vector<Item>& items : of_chunk)
+    size += items.size();
+  std::vector<Item> result;
+  result.reserve(size);
+  for(std::vector<Item>& items : of_chunk)
+    result.insert(result.end(), std::make_move_iterator(items.begin()), std::make_move_iterator(items.end()));
+  return result;
+}
+
 // What f(i, selected) has appended for i in [0, n), in their order.
 template <class ConcurrencyTag, class Item, class Function>
 std::vector<Item> selected_of_chunks(std::size_t n, const Function& f)
@@ -103,10 +119,7 @@ std::vector<Item> selected_of_chunks(std::size_t n, const Function& f)
     for(std::size_t i = begin; i < end; ++i)
       f(i, of_chunk[chunk]);
   });
-  std::vector<Item> selected;
-  for(const std::vector<Item>& items : of_chunk)
-    selected.insert(selected.end(), items.begin(), items.end());
-  return selected;
+  return joined(std::move(of_chunk));
 }
 
 } // namespace internal

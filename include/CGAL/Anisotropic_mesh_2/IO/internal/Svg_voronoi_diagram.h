@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_SVG_VORONOI_DIAGRAM_H
 #define CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_SVG_VORONOI_DIAGRAM_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_picture.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_drawing.h>
 
@@ -16,7 +17,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <locale>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,21 +30,24 @@ namespace internal {
 
 // Draws the regions of a Voronoi diagram in soft colors, different for
 // neighbors; orphans in a strong tone of the color of their region.
+//
+// Layers are drawn at the same time, if the diagram has a parallel tag.
 template <class Diagram>
 class Svg_voronoi_diagram
 {
-  typedef typename Diagram::Mesh      Mesh;
-  typedef typename Diagram::Region    Region;
-  typedef typename Diagram::Piece     Piece;
-  typedef typename Diagram::Bisector  Bisector;
-  typedef typename Diagram::Point_2   Point_2;
+  typedef typename Diagram::ConcurrencyTag ConcurrencyTag;
+  typedef typename Diagram::Mesh           Mesh;
+  typedef typename Diagram::Region         Region;
+  typedef typename Diagram::Piece          Piece;
+  typedef typename Diagram::Bisector       Bisector;
+  typedef typename Diagram::Point_2        Point_2;
 
 public:
   Svg_voronoi_diagram(const Diagram& diagram, const Voronoi_drawing& drawing)
     : m_diagram(diagram), m_drawing(drawing), m_picture(window(diagram), 0)
   {
-    for(const Region& r : diagram.regions())
-      m_widths.push_back(width(r));
+    m_widths.resize(diagram.number_of_regions());
+    for_each_index<ConcurrencyTag>(m_widths.size(), [&](std::size_t i) { m_widths[i] = width(diagram.region(i)); });
     if(!m_widths.empty()) {
       std::vector<double> widths = m_widths;
       const auto at = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 50);
@@ -53,21 +59,23 @@ public:
 
   void write(std::ostream& os, const std::string& title) const
   {
+    typedef Svg_voronoi_diagram Self;
+    std::vector<void (Self::*)(std::ostream&) const> layers = {&Self::draw_regions, &Self::draw_bisectors};
+    if(m_drawing.dual_edges)
+      layers.push_back(&Self::draw_dual_edges);
+    layers.push_back(&Self::draw_boundary);
+    if(m_drawing.mass_centres)
+      layers.push_back(&Self::draw_mass_centres);
+    if(m_drawing.generators)
+      layers.push_back(&Self::draw_generators);
     m_picture.write(os, title.empty() ? "Voronoi diagram" : title, [&](std::ostream& out) {
-      draw_regions(out);
-      draw_bisectors(out);
-      if(m_drawing.dual_edges)
-        draw_dual_edges(out);
-      draw_boundary(out);
-      if(m_drawing.mass_centres)
-        draw_mass_centres(out);
-      if(m_drawing.generators)
-        draw_generators(out);
+      draw_parts(out, layers.size(), [&](std::size_t i, std::ostream& part) { (this->*layers[i])(part); });
     }, [&](std::ostream& out) { m_picture.write_caption(out, title, caption()); });
   }
 
 private:
   static constexpr std::size_t number_of_colors = 8;
+  static constexpr std::size_t regions_of_chunk = 128;
 
   static double x(const Point_2& p) { return CGAL::to_double(p.x()); }
   static double y(const Point_2& p) { return CGAL::to_double(p.y()); }
@@ -141,16 +149,31 @@ private:
     return simplified(result);
   }
 
+  // Calls `draw(i, part)` for n parts, which are written one after the other.
+  template <class Draw>
+  static void draw_parts(std::ostream& os, std::size_t n, const Draw& draw)
+  {
+    std::vector<std::string> parts(n);
+    for_each_task<ConcurrencyTag>(n, [&](std::size_t i) {
+      std::ostringstream part;
+      part.imbue(std::locale::classic());
+      draw(i, part);
+      parts[i] = part.str();
+    });
+    for(const std::string& part : parts)
+      os << part;
+  }
+
   void draw_regions(std::ostream& os) const
   {
     static const char* const main_colors[number_of_colors] =
       {"#cfe3f1", "#fbe3c4", "#d5ecd2", "#f6d3d0", "#e1d9ef", "#fbf3c6", "#cdebe7", "#e4e0d6"};
     static const char* const orphan_colors[number_of_colors] =
       {"#5b9bc8", "#e9a23b", "#6cb563", "#dd7169", "#9a83c9", "#dcc53e", "#4fb3a6", "#a89f8b"};
-    for(std::size_t c = 0; c < number_of_colors; ++c) {
-      m_picture.draw_areas(os, areas(c, true), main_colors[c], 0.3);
-      m_picture.draw_areas(os, areas(c, false), orphan_colors[c], 0.3);
-    }
+    draw_parts(os, number_of_colors, [&](std::size_t c, std::ostream& part) {
+      m_picture.draw_areas(part, areas(c, true), main_colors[c], 0.3);
+      m_picture.draw_areas(part, areas(c, false), orphan_colors[c], 0.3);
+    });
   }
 
   std::vector<Svg_line> areas(std::size_t color, bool are_main) const
@@ -167,20 +190,28 @@ private:
 
   void draw_bisectors(std::ostream& os) const
   {
+    const std::vector<Bisector>& bisectors = m_diagram.bisectors();
+    std::vector<Svg_line> lines(bisectors.size());
+    for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i) {
+      lines[i] = line(bisectors[i].points, bisectors[i].is_closed);
+    });
     Svg_width_classes widths(0.03, 0.7);
-    for(const Bisector& b : m_diagram.bisectors()) {
-      const Svg_line l = line(b.points, b.is_closed);
-      const double w = 0.06 * (std::min)(m_widths[b.regions[0]], m_widths[b.regions[1]]);
-      for(std::size_t i = 1; i < l.size(); ++i)
-        widths.add(w, Svg_edge(l[i - 1], l[i]));
+    for(std::size_t i = 0; i < lines.size(); ++i) {
+      const double w = 0.06 * (std::min)(m_widths[bisectors[i].regions[0]], m_widths[bisectors[i].regions[1]]);
+      for(std::size_t k = 1; k < lines[i].size(); ++k)
+        widths.add(w, Svg_edge(lines[i][k - 1], lines[i][k]));
     }
     draw(os, widths, "#4d6073");
   }
 
   void draw(std::ostream& os, const Svg_width_classes& widths, const char* color) const
   {
+    std::vector<std::pair<double, const std::vector<Svg_edge>*> > classes;
     widths.for_each([&](double line_width, const std::vector<Svg_edge>& edges) {
-      draw(os, edges, color, line_width);
+      classes.emplace_back(line_width, &edges);
+    });
+    draw_parts(os, classes.size(), [&](std::size_t i, std::ostream& part) {
+      draw(part, *classes[i].second, color, classes[i].first);
     });
   }
 
@@ -215,13 +246,15 @@ private:
 
   void draw_mass_centres(std::ostream& os) const
   {
-    std::vector<Svg_edge> pulls;
+    std::vector<Svg_edge> pulls(m_diagram.number_of_regions());
+    for_each_chunk<ConcurrencyTag>(pulls.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        pulls[i] = Svg_edge(at(m_diagram.region(i).generator),
+                            at(m_diagram.integrals(i, m_drawing.measure).mass_centre));
+    }, regions_of_chunk);
     Svg_width_classes dots(0.2, 5);
-    for(std::size_t i = 0; i < m_diagram.number_of_regions(); ++i) {
-      const Svg_point centre = at(m_diagram.integrals(i, m_drawing.measure).mass_centre);
-      pulls.emplace_back(at(m_diagram.region(i).generator), centre);
-      dots.add(0.2 * m_widths[i], Svg_edge(centre, centre));
-    }
+    for(std::size_t i = 0; i < pulls.size(); ++i)
+      dots.add(0.2 * m_widths[i], Svg_edge(pulls[i].second, pulls[i].second));
     draw(os, pulls, "#c0392b", 0.5);
     draw_dots(os, dots, "#c0392b");
   }
