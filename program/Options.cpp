@@ -121,7 +121,7 @@ void declare_methods(CLI::App& app, Options& options)
 void declare_output(CLI::App& app, Options& options, Raw_options& raw)
 {
   const std::string group = "Output";
-  app.add_option("-o", raw.outputs, "the mesh, by extension .mesh, .vtu, .off or .svg; repeatable")
+  app.add_option("-o", raw.outputs, "the mesh, by extension .mesh, .vtu, .off, .svg, or .ply of a surface; repeatable")
     ->type_name("FILE")->group(group)->allow_extra_args(false);
   app.add_option("--voronoi", options.voronoi, "a picture of the tessellation")
     ->type_name("FILE.svg")->group(group);
@@ -136,10 +136,10 @@ Output output_of(const std::string& path)
 {
   static const std::map<std::string, File_format> formats
     = {{".mesh", File_format::MESH}, {".vtu", File_format::VTU},
-       {".off", File_format::OFF}, {".svg", File_format::SVG}};
+       {".off", File_format::OFF}, {".ply", File_format::PLY}, {".svg", File_format::SVG}};
   const auto format = formats.find(extension_of(path));
   if(format == formats.end())
-    throw Unusable_input("-o " + path + ": the extension is none of .mesh, .vtu, .off, .svg");
+    throw Unusable_input("-o " + path + ": the extension is none of .mesh, .vtu, .off, .ply, .svg");
   return Output{path, format->second};
 }
 
@@ -260,10 +260,12 @@ Options parse_options(int argc, const char* const* argv)
 {
   Options options;
   Raw_options raw;
-  CLI::App app("Anisotropic Delaunay meshes and anisotropic centroidal Voronoi tessellations of planar domains.",
+  CLI::App app("Anisotropic Delaunay meshes and anisotropic centroidal Voronoi tessellations of planar domains"
+               " and of surfaces.",
                "anisotropic_mesh_2");
   app.add_option("DOMAIN", raw.domain,
-                 "a file .poly or .mesh, or builtin:NAME (disc, square4, square10, layer10, parallelogram)")
+                 "a file .poly or .mesh, or builtin:NAME (disc, square4, square10, layer10, parallelogram; "
+                 "the surfaces ellipsoid, paraboloid, torus, saddle-sizes, saddle-curvature)")
     ->required()->type_name("");
   app.set_version_flag("--version", "anisotropic_mesh_2 " ANISOTROPIC_MESH_2_VERSION);
   declare_metric(app, raw, options.scale);

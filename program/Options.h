@@ -25,7 +25,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-enum class File_format { MESH, VTU, OFF, SVG };
+enum class File_format { MESH, VTU, OFF, PLY, SVG };
 enum class Optimizer   { NONE, LLOYD, LBFGS };
 enum class Measure     { RIEMANNIAN, LEBESGUE };
 enum class Verbosity   { QUIET, NORMAL, VERBOSE };

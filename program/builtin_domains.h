@@ -107,11 +107,8 @@ inline Domain_with_metric builtin_domain(const std::string& name)
   if(name == "square10")      return builtin::square10();
   if(name == "layer10")       return builtin::layer10();
   if(name == "parallelogram") return builtin::parallelogram();
-  for(const char* surface : {"ellipsoid", "paraboloid", "torus", "saddle-sizes", "saddle-curvature"})
-    if(name == surface)
-      throw Unusable_input("builtin:" + name + ": surfaces are not available yet");
   throw Unusable_input("builtin:" + name + ": unknown name; known are disc, square4, square10, layer10, "
-                       "parallelogram");
+                       "parallelogram and the surfaces ellipsoid, paraboloid, torus, saddle-sizes, saddle-curvature");
 }
 
 } // namespace program

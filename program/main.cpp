@@ -6,9 +6,11 @@
 
 #include "Options.h"
 #include "Progress.h"
+#include "builtin_surfaces.h"
 #include "input.h"
 #include "mesh_job.h"
 #include "output.h"
+#include "surface_job.h"
 
 #include <CGAL/Invalid_domain_exception.h>
 #include <CGAL/Invalid_metric_tensor_exception.h>
@@ -55,6 +57,9 @@ void run(const Options& options)
   Progress progress(options.verbosity);
   check_outputs(options);
   try {
+    if(options.domain_is_builtin && is_builtin_surface(options.domain))
+      return run_surface(options, progress);
+    check_planar_outputs(options);
     Run_report report;
     Mesh mesh = meshed(options, progress, report);
     optimize(mesh, options, progress, report);

@@ -45,13 +45,15 @@ void write_mesh(const Mesh& mesh, const Output& output)
   case File_format::VTU:  return CGAL::IO::write_vtu(output.path, mesh);
   case File_format::OFF:  return CGAL::IO::write_off(output.path, mesh);
   case File_format::SVG:  return CGAL::IO::write_SVG(output.path, mesh);
+  case File_format::PLY:  break; // refused before
   }
 }
 
-Json statistics_of(const Mesh& mesh, const Options& options, const Run_report& report)
+template <class Statistics>
+Json json_of(const Statistics& statistics, const Run_report& report)
 {
   Json json;
-  statistics(mesh, options).for_each([&](const char* name, const auto& value) { json[name] = value; });
+  statistics.for_each([&](const char* name, const auto& value) { json[name] = value; });
   json["iterations"] = report.iterations;
   json["stop_reason"] = report.stop_reason;
   json["seconds_mesh"] = report.seconds_mesh;
@@ -67,7 +69,7 @@ void check_finite(const Json& statistics)
       throw std::runtime_error("the statistics are not finite: " + entry.key());
 }
 
-void write_statistics(const std::string& path, const Json& statistics)
+void write_json(const std::string& path, const Json& statistics)
 {
   check_finite(statistics);
   const std::string text = statistics.dump(2) + "\n";
@@ -94,6 +96,19 @@ void check_outputs(const Options& options)
     check_output("--stats", options.stats);
 }
 
+void check_planar_outputs(const Options& options)
+{
+  for(const Output& output : options.meshes)
+    if(output.format == File_format::PLY)
+      throw Unusable_input("-o " + output.path + ": only surfaces are written as .ply");
+}
+
+void write_statistics(const std::string& path, const CGAL::Anisotropic_mesh_2::Surface_mesh_statistics& statistics,
+                      const Run_report& report)
+{
+  write_json(path, json_of(statistics, report));
+}
+
 void write_outputs(const Mesh& mesh, const Options& options, const Run_report& report)
 {
   for(const Output& output : options.meshes)
@@ -101,7 +116,7 @@ void write_outputs(const Mesh& mesh, const Options& options, const Run_report& r
   if(!options.voronoi.empty())
     CGAL::IO::write_SVG(options.voronoi, CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3));
   if(!options.stats.empty())
-    write_statistics(options.stats, statistics_of(mesh, options, report));
+    write_json(options.stats, json_of(statistics(mesh, options), report));
 }
 
 } // namespace program

@@ -10,11 +10,21 @@
 #include "Options.h"
 #include "mesh_job.h"
 
+#include <CGAL/Anisotropic_mesh_2/Surface_mesh_statistics.h>
+
+#include <string>
+
 namespace program {
 
 // Throws Unusable_input if an output file cannot be created, so that this is
 // known before the work.
 void check_outputs(const Options& options);
+
+// Throws Unusable_input if a planar mesh is to be written in a format for surfaces.
+void check_planar_outputs(const Options& options);
+
+void write_statistics(const std::string& path, const CGAL::Anisotropic_mesh_2::Surface_mesh_statistics& statistics,
+                      const Run_report& report);
 
 void write_outputs(const Mesh& mesh, const Options& options, const Run_report& report);
 

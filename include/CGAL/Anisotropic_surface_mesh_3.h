@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_SURFACE_MESH_3_H
 #define CGAL_ANISOTROPIC_SURFACE_MESH_3_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -72,6 +72,17 @@ public:
   Point_3 point(std::size_t v) const { return m_field.surface().point(m_parameters[v]); }
 
   const std::vector<Face>& faces() const { return m_faces; }
+
+  /// whether each edge has a face on both sides; takes time proportional to the number of faces.
+  bool is_closed() const
+  {
+    const Anisotropic_mesh_2::internal::Directed_edges edges(m_faces);
+    for(const Face& f : m_faces)
+      for(int i = 0; i < 3; ++i)
+        if(!edges.contains(f[(i + 1) % 3], f[i]))
+          return false;
+    return true;
+  }
   /// @}
 
   /// \name Modification

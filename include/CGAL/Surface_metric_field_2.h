@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  static constexpr double least_sine = 1e-10;  // of the angle between the derivatives
+  static constexpr double least_sine = 1e-7;   // of the angle between the derivatives; rounded entries hold no less
   static constexpr double least_ratio = 1e-12; // of their lengths, in units of the extents of the parameters
 
   void check_tangents(const std::array<Vector_3, 2>& d, const Point_2& uv) const

@@ -188,6 +188,29 @@ def test_builtin_domains(t):
         t.check(0.5 < s["vertices"] / s["ideal_vertices"] < 2, f"square10: {s['vertices']} vertices")
 
 
+def test_surfaces(t):
+    for name, characteristic in (("ellipsoid", 2), ("torus", 0), ("paraboloid", 1), ("saddle-sizes", 1)):
+        result = t.run("builtin:" + name, "--scale", "2", "-o", "a.off", "-o", "a.ply", "-o", "a.svg",
+                       "--voronoi", "v.svg", "--quiet", "--stats", "-")
+        if not t.check(result.returncode == 0 and result.stderr == "", f"{name}: {result.returncode}, {result.stderr}"):
+            continue
+        s = json.loads(result.stdout)
+        t.check(s["quality_mean"] >= 0.96 and s["quality_min"] > 0.4, f"{name}: {s['quality_mean']}, {s['quality_min']}")
+        lines = t.read("a.off").split("\n\n")[1].splitlines()
+        faces = [tuple(map(int, line.split()[1:])) for line in lines[s["vertices"]:]]
+        edges = {frozenset(pair) for f in faces for pair in ((f[0], f[1]), (f[1], f[2]), (f[2], f[0]))}
+        t.check(len(faces) == s["triangles"], f"{name}: {len(faces)} faces")
+        t.check(s["vertices"] - len(edges) + len(faces) == characteristic, f"{name}: Euler characteristic")
+        t.check(t.read("a.ply").splitlines()[-1] == lines[-1], f"{name}: .ply")
+        for picture, polygons in (("a.svg", s["triangles"]), ("v.svg", s["vertices"])):
+            drawn = t.read(picture).count("<path")
+            t.check(polygons / 3 < drawn <= 1.1 * polygons, f"{name}: {drawn} polygons in {picture}")
+    t.refuse(["builtin:torus", "--scale"], "builtin:torus", "--size", "1")
+    t.refuse(["lloyd"], "builtin:torus", "--optimizer", "lloyd")
+    t.refuse([".off, .ply or .svg"], "builtin:torus")
+    t.refuse([".ply"], "builtin:disc", "-o", "disc.ply")
+
+
 def test_outputs(t):
     before = t.files()
     names = ["a.mesh", "a.vtu", "a.off", "a.svg"]
