@@ -204,7 +204,7 @@ def test_surfaces(t):
         t.check(t.read("a.ply").splitlines()[-1] == lines[-1], f"{name}: .ply")
         for picture, polygons in (("a.svg", s["triangles"]), ("v.svg", s["vertices"])):
             drawn = t.read(picture).count("<path")
-            t.check(polygons / 3 < drawn <= 1.1 * polygons, f"{name}: {drawn} polygons in {picture}")
+            t.check(polygons / 3 < drawn <= 1.5 * polygons, f"{name}: {drawn} polygons in {picture}")
     t.refuse(["builtin:torus", "--scale"], "builtin:torus", "--size", "1")
     t.refuse(["lloyd"], "builtin:torus", "--optimizer", "lloyd")
     t.refuse([".off, .ply or .svg"], "builtin:torus")
@@ -346,7 +346,6 @@ def test_bad_arguments(t):
     t.refuse(["--measure", "mass"], domain, "--size", "1", "--measure", "mass")
     t.refuse(["--verbose", "--quiet"], domain, "--size", "1", "--verbose", "--quiet")
     t.refuse(["builtin:cube", "disc"], "builtin:cube")
-    t.refuse(["builtin:torus", "not available yet"], "builtin:torus")
     t.refuse(["square.txt"], "square.txt", "--size", "1")
     t.refuse(["a.xyz", ".vtu"], domain, "--size", "1", "-o", "a.xyz")
     t.refuse(["a.png", ".svg"], domain, "--size", "1", "--voronoi", "a.png")

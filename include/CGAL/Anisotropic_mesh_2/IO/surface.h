@@ -87,8 +87,8 @@ void write_SVG(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh,
   picture.write(os, title);
 }
 
-/// draws the Voronoi regions of the vertices of a mesh of a surface in the same way.
-/// \param is_closed whether the surface is, so that what faces away is hidden.
+/// draws the Voronoi regions of the vertices of a mesh of a surface in the same way. Of a surface
+/// that `is_closed`, what faces away is left out.
 template <class K>
 void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Surface_voronoi_region_3<K> >& regions,
                bool is_closed, const std::string& title = std::string(),

@@ -95,28 +95,25 @@ private:
   std::vector<Vertex_handle>                  m_vertices;
 };
 
-// Adds the constrained edges and the outline, with the domain to their left.
+// Adds the constrained edges and the outline, with the domain to their left, in an order
+// that does not depend on the addresses of faces, as that of finite_edges_begin() does.
 // A vertex takes the least reference of its edges.
 template <class Tr, class EdgeReference>
 void add_edges_of_domain(const Tr& tr, const EdgeReference& edge_reference,
                          const Domain_vertices<Tr>& vertices, Domain_graph& graph)
 {
-  for(auto it = tr.finite_edges_begin(); it != tr.finite_edges_end(); ++it) {
-    typename Tr::Edge e = *it;
-    const bool is_left = e.first->is_in_domain();
-    const bool is_right = e.first->neighbor(e.second)->is_in_domain();
-    if(is_left == is_right && !(is_left && tr.is_constrained(e)))
-      continue;
-    if(!is_left)
-      e = tr.mirror_edge(e);
-    const std::size_t source = vertices[e.first->vertex(Tr::ccw(e.second))];
-    const std::size_t target = vertices[e.first->vertex(Tr::cw(e.second))];
-    const int reference = reference_of(tr, e, edge_reference);
-    graph.edges.push_back({source, target, reference});
-    for(std::size_t v : {source, target})
-      if(graph.point_references[v] == 0 || reference < graph.point_references[v])
-        graph.point_references[v] = reference;
-  }
+  for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)
+    for(int i = 0; i < 3 && f->is_in_domain(); ++i) {
+      const std::size_t source = vertices[f->vertex(Tr::ccw(i))], target = vertices[f->vertex(Tr::cw(i))];
+      const typename Tr::Edge e(f, i);
+      if(f->neighbor(i)->is_in_domain() && !(tr.is_constrained(e) && source < target))
+        continue;
+      const int reference = reference_of(tr, e, edge_reference);
+      graph.edges.push_back({source, target, reference});
+      for(std::size_t v : {source, target})
+        if(graph.point_references[v] == 0 || reference < graph.point_references[v])
+          graph.point_references[v] = reference;
+    }
 }
 
 template <class Tr, class EdgeReference>
