@@ -34,19 +34,11 @@ enum Exit_status { DONE = 0, FAILED = 1, UNUSABLE = 2 };
 
 Mesh meshed(const Options& options, Progress& progress, Run_report& report)
 {
-  try {
-    const Domain_with_metric input = read_input(options);
-    progress.say("meshing");
-    Mesh mesh = make_mesh(input, options, report);
-    progress.say(std::to_string(mesh.number_of_vertices()) + " vertices");
-    return mesh;
-  }
-  catch(const CGAL::Invalid_domain_exception& e) {
-    throw Unusable_input(name_of_domain(options) + ": " + e.what());
-  }
-  catch(const CGAL::Too_many_vertices_exception& e) {
-    throw Unusable_input(name_of_metric(options) + ": " + e.what());
-  }
+  const Domain_with_metric input = read_input(options);
+  progress.say("meshing");
+  Mesh mesh = make_mesh(input, options, report);
+  progress.say(std::to_string(mesh.number_of_vertices()) + " vertices");
+  return mesh;
 }
 
 void run(const Options& options)
@@ -65,6 +57,12 @@ void run(const Options& options)
     optimize(mesh, options, progress, report);
     progress.say("stopped by " + report.stop_reason);
     write_outputs(mesh, options, report);
+  }
+  catch(const CGAL::Invalid_domain_exception& e) {
+    throw Unusable_input(name_of_domain(options) + ": " + e.what());
+  }
+  catch(const CGAL::Too_many_vertices_exception& e) {
+    throw Unusable_input(name_of_metric(options) + ": " + e.what());
   }
   catch(const CGAL::Invalid_metric_tensor_exception& e) {
     throw Unusable_input(name_of_metric(options) + ": " + e.what());

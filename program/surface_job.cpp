@@ -36,6 +36,8 @@ void check_options(const Options& options)
     throw Unusable_input(name + ": a surface has its own metric; only --scale changes it");
   if(options.optimizer == Optimizer::LLOYD)
     throw Unusable_input("--optimizer lloyd: not for surfaces; lbfgs or none");
+  if(options.keep_boundary)
+    throw Unusable_input("--keep-boundary: not for surfaces");
   if(options.measure != Measure::RIEMANNIAN)
     throw Unusable_input("--measure lebesgue: not for surfaces");
   for(const Output& output : options.meshes)

@@ -12,6 +12,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
 
 #include <array>
@@ -122,10 +123,13 @@ public:
   /// \tparam FaceGraph a model of `MutableFaceGraph`, such as `Surface_mesh<Kernel::Point_3>`,
   /// with an internal property map of points.
   /// \return its vertices, by their numbers here.
+  /// \pre no two faces have the same edge in the same direction, which holds for what
+  /// `make_anisotropic_surface_mesh()` returns.
   template <class FaceGraph>
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> add_to(FaceGraph& graph) const
   {
     typedef typename boost::graph_traits<FaceGraph>::vertex_descriptor Vertex;
+    CGAL_precondition(Anisotropic_mesh_2::internal::Directed_edges(m_faces).are_simple());
     auto points = get(CGAL::vertex_point, graph);
     std::vector<Vertex> vertices;
     for(std::size_t v = 0; v < number_of_vertices(); ++v) {

@@ -78,7 +78,9 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 /// a chart has polar coordinates. The named parameters of the
 /// optimizer hold for each chart.
 ///
-/// All other parameters are those of the overload for a part of the surface.
+/// All other parameters are those of the overload for a part of the surface, and so are the exceptions.
+/// \throw Invalid_domain_exception if the sizes are so large that less than three edges would lead
+/// around a closed surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_surface_mesh_3<Field>
 make_anisotropic_surface_mesh(const Field& field, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

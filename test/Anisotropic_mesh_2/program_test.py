@@ -207,6 +207,11 @@ def test_surfaces(t):
             t.check(polygons / 3 < drawn <= 1.5 * polygons, f"{name}: {drawn} polygons in {picture}")
     t.refuse(["builtin:torus", "--scale"], "builtin:torus", "--size", "1")
     t.refuse(["lloyd"], "builtin:torus", "--optimizer", "lloyd")
+    t.refuse(["--keep-boundary"], "builtin:torus", "--keep-boundary")
+    for scale, words in (("40", "too large"), ("1e-9", "vertices")):
+        result = t.run("builtin:torus", "--scale", scale, "--stats", "-")
+        t.check(result.returncode == 2 and words in result.stderr and result.stdout == "",
+                f"--scale {scale}: {result.returncode}, {result.stderr}")
     t.refuse([".off, .ply or .svg"], "builtin:torus")
     t.refuse([".ply"], "builtin:disc", "-o", "disc.ply")
 

@@ -286,6 +286,26 @@ void test_tube()
   check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.985, 0.8, "tube");
 }
 
+// However large the sizes, the mesh is closed or refused: no edge may lead around
+// the tube to the vertex where it began.
+void test_coarse_meshes()
+{
+  int closed = 0, refused = 0;
+  for(double size : {0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3., 10.})
+    try {
+      check_closed(CGAL::make_anisotropic_surface_mesh
+                     (CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<K>(2, 0.9), [=](const Point_3&) {
+                       return size;
+                     })), 0, "torus of size " + std::to_string(size));
+      ++closed;
+    }
+    catch(const CGAL::Invalid_domain_exception& e) {
+      CHECK(std::string(e.what()).find("the sizes are too large") != std::string::npos);
+      ++refused;
+    }
+  CHECK_MSG(closed >= 2 && refused >= 2, std::to_string(closed) + " closed");
+}
+
 void test_refusals()
 {
   const auto unit = [](const Point_3&) { return 0.2; };
@@ -316,6 +336,7 @@ int main()
   test_developable_surfaces();
   test_plane();
   test_tube();
+  test_coarse_meshes();
   test_refusals();
   return finish();
 }

@@ -104,12 +104,13 @@ public:
   // the number in the surface mesh of a fixed vertex
   std::size_t number(Vertex_handle v) const { return m_numbers.at(v->point()); }
 
-  // Puts what has become of the planar mesh in the place of what was there.
+  // Puts what has become of the planar mesh in the place of what was there; nothing
+  // is put if new edges coincide with those of other parts, in a very coarse mesh.
   void write_to(Surface_mesh& surface_mesh)
   {
-    std::vector<Face> faces = std::move(m_outer_faces);
+    std::vector<Face> faces = m_outer_faces;
     append_chart_faces(m_mesh, m_part.chart, m_numbers, surface_mesh, faces);
-    surface_mesh.replace_faces(std::move(faces));
+    surface_mesh.replace_faces(Directed_edges(faces).are_simple() ? std::move(faces) : surface_mesh.faces());
   }
 
 private:

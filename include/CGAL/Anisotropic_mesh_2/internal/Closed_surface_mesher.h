@@ -10,6 +10,7 @@
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Boundary_unit_mesher.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_chart.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 #include <CGAL/Curve_piece_2.h>
+#include <CGAL/Invalid_domain_exception.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Too_many_vertices_exception.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
@@ -73,6 +75,9 @@ public:
       mesh_loop(Chart::cap(m_surface_mesh.field(), true), {around_pole(bottom, true)});
     if(m_rectangle.v_max_is_pole)
       mesh_loop(Chart::cap(m_surface_mesh.field(), false), {around_pole(top, false)});
+    if(!Directed_edges(m_faces).are_simple())
+      throw Invalid_domain_exception("the sizes are too large for a closed mesh of the surface: "
+                                     "less than three edges would lead once around it");
     m_surface_mesh.replace_faces(std::move(m_faces));
   }
 

@@ -26,9 +26,14 @@ public:
   {
     m_edges.reserve(3 * faces.size());
     for(const auto& f : faces)
-      for(int i = 0; i < 3; ++i)
-        m_edges.insert(key(f[i], f[(i + 1) % 3]));
+      for(int i = 0; i < 3; ++i) {
+        const std::size_t source = f[i], target = f[(i + 1) % 3];
+        m_are_simple = m_edges.insert(key(source, target)).second && source != target && m_are_simple;
+      }
   }
+
+  // whether no two triangles have the same edge, and none joins a vertex to itself
+  bool are_simple() const { return m_are_simple; }
 
   bool contains(std::size_t source, std::size_t target) const { return m_edges.count(key(source, target)) > 0; }
 
@@ -39,6 +44,7 @@ private:
   }
 
   std::unordered_set<std::uint64_t> m_edges;
+  bool                              m_are_simple = true;
 };
 
 } // namespace internal
