@@ -7,20 +7,18 @@
 #ifndef CGAL_ANISOTROPIC_MESH_STATISTICS_2_H
 #define CGAL_ANISOTROPIC_MESH_STATISTICS_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Summary.h>
-#include <CGAL/Anisotropic_mesh_2/internal/energy_of_hexagons.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Energy_summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Shape_summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
 #include <CGAL/Anisotropic_mesh_2/internal/faces_in_domain.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
 
 #include <algorithm>
-#include <array>
-#include <numeric>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -30,9 +28,8 @@ namespace internal {
 template <class Mesh, class ConcurrencyTag>
 class Statistics_collector
 {
-  typedef typename Mesh::Point         Point;
-  typedef typename Mesh::Vertex_handle Vertex_handle;
-  typedef typename Mesh::Face_handle   Face_handle;
+  typedef typename Mesh::Point       Point;
+  typedef typename Mesh::Face_handle Face_handle;
 
 public:
   Statistics_collector(const Mesh& mesh, Measure measure) : m_mesh(mesh), m_measure(measure) {}
@@ -43,37 +40,12 @@ public:
     count();
     if(m_result.triangles == 0)
       return m_result;
-    measure_edges();
-    measure_faces();
+    measure_shapes();
     measure_energy();
     return m_result;
   }
 
 private:
-  struct Face_summary
-  {
-    Summary qualities, qualities_min3;
-
-    Face_summary& operator+=(const Face_summary& s)
-    {
-      qualities += s.qualities;
-      qualities_min3 += s.qualities_min3;
-      return *this;
-    }
-  };
-
-  // what `add(face, summary)` gathers over the faces of the domain
-  template <class Sum, class Add>
-  Sum summarize(const Add& add) const
-  {
-    std::vector<Sum> of_chunk(number_of_chunks(m_faces.size()));
-    for_each_chunk<ConcurrencyTag>(m_faces.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-      for(std::size_t k = begin; k < end; ++k)
-        add(m_faces[k], of_chunk[chunk]);
-    });
-    return std::accumulate(of_chunk.begin(), of_chunk.end(), Sum(), [](Sum s, const Sum& t) { return s += t; });
-  }
-
   void count()
   {
     std::vector<bool> is_used(m_mesh.vertex_index_bound(), false);
@@ -90,56 +62,37 @@ private:
     return !f->neighbor(i)->is_in_domain() || f->vertex(Mesh::ccw(i))->index() < f->vertex(Mesh::cw(i))->index();
   }
 
-  void measure_edges()
+  void measure_shapes()
+  {
+    sum_of_chunks<ConcurrencyTag, Shape_summary>(m_faces.size(), [&](std::size_t k, Shape_summary& sum) {
+      measure_edges(m_faces[k], sum.edges);
+      measure_qualities(m_faces[k], sum);
+    }).write_to(m_result);
+  }
+
+  void measure_edges(Face_handle f, Edge_summary& sum) const
   {
     const auto length = m_mesh.geom_traits().compute_riemannian_length_2_object();
-    const auto edges = summarize<Edge_summary>([&](Face_handle f, Edge_summary& sum) {
-      for(int i = 0; i < 3; ++i)
-        if(is_own_edge(f, i))
-          sum.add(length(f->vertex(Mesh::ccw(i))->point(), f->vertex(Mesh::cw(i))->point()));
-    });
-    m_result.edge_length_mean = edges.lengths.mean();
-    m_result.edge_length_min = edges.lengths.least;
-    m_result.edge_length_max = edges.lengths.largest;
-    m_result.edge_length_unit_share = edges.unit_share();
+    for(int i = 0; i < 3; ++i)
+      if(is_own_edge(f, i))
+        sum.add(length(f->vertex(Mesh::ccw(i))->point(), f->vertex(Mesh::cw(i))->point()));
   }
 
-  void measure_faces()
+  void measure_qualities(Face_handle f, Shape_summary& sum) const
   {
-    const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
-    const auto faces = summarize<Face_summary>([&](Face_handle f, Face_summary& sum) {
-      const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
-      sum.qualities.add(quality_at_barycentre(a, b, c, tensor));
-      double q3 = 1;
-      for(int i = 0; i < 3; ++i)
-        q3 = std::min(q3, metric_quality(a, b, c, Symmetric_form(f->vertex(i)->metric_tensor())));
-      sum.qualities_min3.add(q3);
-    });
-    m_result.quality_mean = faces.qualities.mean();
-    m_result.quality_min = faces.qualities.least;
-    m_result.quality_min3_mean = faces.qualities_min3.mean();
-    m_result.quality_min3_min = faces.qualities_min3.least;
-  }
-
-  double area(double exponent) const
-  {
-    return metric_area<ConcurrencyTag>(m_mesh, m_faces, exponent, 1e-5, 1000000 + 4 * m_faces.size());
+    const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
+    sum.qualities.add(quality_at_barycentre(a, b, c, m_mesh.geom_traits().construct_metric_tensor_2_object()));
+    double least = 1;
+    for(int i = 0; i < 3; ++i)
+      least = std::min(least, metric_quality(a, b, c, Symmetric_form(f->vertex(i)->metric_tensor())));
+    sum.qualities_min3.add(least);
   }
 
   void measure_energy()
   {
-    const double riemannian_area = area(0.5);
-    m_result.ideal_vertices = ideal_number_of_vertices(riemannian_area);
-    std::vector<Region_moments> moments;
-    m_result.energy = Acvt_energy<Mesh, ConcurrencyTag>(m_mesh, m_measure, Acvt_accuracy{0.01, 0.05, 0.2, 3})(moments);
-    const double density_integral = m_measure == Measure::RIEMANNIAN ? riemannian_area : area(0.25);
-    m_result.energy_ratio = m_result.energy / energy_of_hexagons(density_integral, double(m_result.triangles) / 2);
-    for(Vertex_handle v : free_vertices(m_mesh)) {
-      double x, y;
-      moments[v->index()].pull(x, y);
-      m_result.gradient_norm = std::max(m_result.gradient_norm,
-                                        Symmetric_form(v->metric_tensor()).length(x, y));
-    }
+    Energy_summary<Mesh, ConcurrencyTag> summary(m_measure);
+    summary.add(m_mesh, m_faces, {}, free_vertices(m_mesh));
+    summary.write_to(m_result);
   }
 
   const Mesh& m_mesh;

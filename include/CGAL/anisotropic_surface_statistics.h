@@ -7,16 +7,19 @@
 #ifndef CGAL_ANISOTROPIC_SURFACE_STATISTICS_H
 #define CGAL_ANISOTROPIC_SURFACE_STATISTICS_H
 
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Surface_mesh_statistics.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Chart_mesh.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Face_block_assembler.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Energy_summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Shape_summary.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Summary.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_atlas.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_cover.h>
-#include <CGAL/Anisotropic_mesh_2/internal/energy_of_hexagons.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface_geometry.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 #include <CGAL/Metric_tensor_3.h>
@@ -44,6 +47,7 @@ class Surface_statistics_collector
   typedef Chart_mesh<Field>                  Part_mesh;
   typedef typename Part_mesh::Mesh           Mesh;
   typedef typename Mesh::Face_handle         Face_handle;
+  typedef typename Mesh::Vertex_handle       Vertex_handle;
 
 public:
   explicit Surface_statistics_collector(const Surface_mesh& mesh)
@@ -63,16 +67,21 @@ public:
   }
 
 private:
-  struct Shapes
+  // a face in space
+  struct Triangle
   {
-    Edge_summary edges;
-    Summary      qualities, qualities_min3, distances, deviations;
+    std::array<Point_3, 3>  corner;
+    std::array<Tensor_3, 3> tensor;
+  };
 
-    Shapes& operator+=(const Shapes& s)
+  struct Surface_summary
+  {
+    Shape_summary shapes;
+    Summary       distances, deviations;
+
+    Surface_summary& operator+=(const Surface_summary& s)
     {
-      edges += s.edges;
-      qualities += s.qualities;
-      qualities_min3 += s.qualities_min3;
+      shapes += s.shapes;
       distances += s.distances;
       deviations += s.deviations;
       return *this;
@@ -81,26 +90,27 @@ private:
 
   void measure_shapes()
   {
-    std::vector<Shapes> of_chunk(number_of_chunks(m_mesh.number_of_faces()));
-    for_each_chunk<ConcurrencyTag>(m_mesh.number_of_faces(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-      for(std::size_t f = begin; f < end; ++f)
-        measure_face(f, of_chunk[chunk]);
+    const auto sum = sum_of_chunks<ConcurrencyTag, Surface_summary>
+      (m_mesh.number_of_faces(), [&](std::size_t f, Surface_summary& s) {
+      const Triangle t = triangle(m_mesh.faces()[f]);
+      measure_face(f, t, s);
+      measure_edges(f, t, s);
     });
-    Shapes s;
-    for(const Shapes& t : of_chunk)
-      s += t;
-    m_result.edge_length_mean = s.edges.lengths.mean();
-    m_result.edge_length_min = s.edges.lengths.least;
-    m_result.edge_length_max = s.edges.lengths.largest;
-    m_result.edge_length_unit_share = s.edges.unit_share();
-    m_result.quality_mean = s.qualities.mean();
-    m_result.quality_min = s.qualities.least;
-    m_result.quality_min3_mean = s.qualities_min3.mean();
-    m_result.quality_min3_min = s.qualities_min3.least;
-    m_result.distance_mean = s.distances.mean();
-    m_result.distance_max = s.distances.largest;
-    m_result.normal_deviation_mean = s.deviations.mean();
-    m_result.normal_deviation_max = s.deviations.largest;
+    sum.shapes.write_to(m_result);
+    m_result.distance_mean = sum.distances.mean();
+    m_result.distance_max = sum.distances.largest;
+    m_result.normal_deviation_mean = sum.deviations.mean();
+    m_result.normal_deviation_max = sum.deviations.largest;
+  }
+
+  Triangle triangle(const Face& face) const
+  {
+    Triangle t;
+    for(int i = 0; i < 3; ++i) {
+      t.corner[i] = m_mesh.point(face[i]);
+      t.tensor[i] = m_field.metric_tensor_3(m_mesh.parameters(face[i]));
+    }
+    return t;
   }
 
   // the parameters of the place in a face whose barycentric coordinates are l
@@ -116,65 +126,76 @@ private:
     return point_at<Point_2>(p.x, p.y);
   }
 
-  void measure_face(std::size_t f, Shapes& s) const
+  void measure_face(std::size_t f, const Triangle& t, Surface_summary& s) const
+  {
+    const Point_2 barycentre = parameters(f, {1./3, 1./3, 1./3});
+    double least = 1;
+    for(const Tensor_3& m : t.tensor)
+      least = std::min(least, surface_quality(t.corner, m));
+    s.shapes.qualities.add(surface_quality(t.corner, m_field.metric_tensor_3(barycentre)));
+    s.shapes.qualities_min3.add(least);
+    s.deviations.add(normal_deviation(m_field.surface(), barycentre, t.corner));
+    s.distances.add(distance_to_surface(m_field.surface(), barycentre,
+                                        CGAL::centroid(t.corner[0], t.corner[1], t.corner[2])));
+  }
+
+  // the edges that do not belong to the face beyond
+  void measure_edges(std::size_t f, const Triangle& t, Surface_summary& s) const
   {
     const Face& face = m_mesh.faces()[f];
-    const std::array<Point_3, 3> corner = {m_mesh.point(face[0]), m_mesh.point(face[1]), m_mesh.point(face[2])};
-    const Point_2 barycentre = parameters(f, {1./3, 1./3, 1./3});
-    std::array<Tensor_3, 3> tensor;
-    double least = 1;
-    for(int i = 0; i < 3; ++i) {
-      tensor[i] = m_field.metric_tensor_3(m_mesh.parameters(face[i]));
-      least = std::min(least, surface_quality(corner, tensor[i]));
-    }
-    s.qualities.add(surface_quality(corner, m_field.metric_tensor_3(barycentre)));
-    s.qualities_min3.add(least);
-    s.deviations.add(normal_deviation(m_field.surface(), barycentre, corner));
-    s.distances.add(distance_to_surface(m_field.surface(), barycentre, CGAL::centroid(corner[0], corner[1], corner[2])));
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3;
-      if(face[i] > face[j] && m_edges.contains(face[j], face[i])) // it belongs to the other face
+      if(face[i] > face[j] && m_edges.contains(face[j], face[i]))
         continue;
       std::array<double, 3> l = {0.5, 0.5, 0.5};
       l[(i + 2) % 3] = 0;
       const Point_2 middle = parameters(f, l);
-      s.edges.add(chord_length(corner[j] - corner[i], tensor[i], m_field.metric_tensor_3(middle), tensor[j]));
-      s.distances.add(distance_to_surface(m_field.surface(), middle, CGAL::midpoint(corner[i], corner[j])));
+      s.shapes.edges.add(chord_length(t.corner[j] - t.corner[i], t.tensor[i], m_field.metric_tensor_3(middle), t.tensor[j]));
+      s.distances.add(distance_to_surface(m_field.surface(), middle, CGAL::midpoint(t.corner[i], t.corner[j])));
     }
   }
 
-  // Each part of the atlas contributes the faces that are given to it.
+  // Each part of the atlas contributes the faces and the vertices that are given to it.
   void measure_energy()
   {
-    double area = 0;
+    Energy_summary<Mesh, ConcurrencyTag> summary(Measure::RIEMANNIAN);
     for(std::size_t k = 0; k < m_atlas.parts.size(); ++k) {
       Part_mesh part(m_mesh, m_atlas.parts[k]);
       if(part.faces().empty() || !part.copy_faces())
         continue;
-      const std::vector<Face_handle> faces = faces_given_to(k, part);
-      Face_block_assembler<Mesh> assembler(part.mesh(), true, Acvt_accuracy{0.01, 0.05, 0.2, 3});
-      for(std::size_t begin = 0; begin < faces.size(); begin += faces_of_block) {
-        assembler(faces.data() + begin, faces.data() + std::min(faces.size(), begin + faces_of_block), nullptr);
-        m_result.energy += assembler.energy();
-      }
-      area += metric_area<ConcurrencyTag>(part.mesh(), faces, 0.5, 1e-5, 1000000 + 4 * faces.size());
+      std::vector<Face_handle> faces, others;
+      divide_faces(k, part, faces, others);
+      summary.add(part.mesh(), faces, others, free_vertices_given_to(k, part));
     }
-    m_result.ideal_vertices = ideal_number_of_vertices(area);
-    m_result.energy_ratio = m_result.energy / energy_of_hexagons(area, double(m_result.triangles) / 2);
+    summary.write_to(m_result);
   }
 
-  std::vector<Face_handle> faces_given_to(std::size_t k, Part_mesh& part) const
+  // Tells the faces that are given to a part from the others in it.
+  void divide_faces(std::size_t k, Part_mesh& part, std::vector<Face_handle>& given, std::vector<Face_handle>& others) const
   {
-    std::set<Face> given;
+    std::set<Face> faces;
     for(std::size_t f = 0; f < m_mesh.number_of_faces(); ++f)
       if(m_cover.part_of_face(f) == k)
-        given.insert(sorted(m_mesh.faces()[f]));
-    std::vector<Face_handle> faces;
-    for(auto f = part.mesh().finite_faces_begin(); f != part.mesh().finite_faces_end(); ++f)
-      if(f->is_in_domain()
-         && given.count(sorted({part.number(f->vertex(0)), part.number(f->vertex(1)), part.number(f->vertex(2))})) > 0)
-        faces.push_back(f);
-    return faces;
+        faces.insert(sorted(m_mesh.faces()[f]));
+    faces_in_domain(part.mesh(), given);
+    const auto middle = std::stable_partition(given.begin(), given.end(), [&](Face_handle f) {
+      return faces.count(sorted({part.number(f->vertex(0)), part.number(f->vertex(1)), part.number(f->vertex(2))})) > 0;
+    });
+    others.assign(middle, given.end());
+    given.erase(middle, given.end());
+  }
+
+  // Vertices on the rim have no whole region in the part.
+  std::vector<Vertex_handle> free_vertices_given_to(std::size_t k, Part_mesh& part) const
+  {
+    std::vector<bool> is_on_rim(m_mesh.number_of_vertices(), false);
+    for(const auto& e : part.rim())
+      is_on_rim[e[0]] = true; // the target of an edge is the source of another one
+    std::vector<Vertex_handle> vertices;
+    for(auto v = part.mesh().finite_vertices_begin(); v != part.mesh().finite_vertices_end(); ++v)
+      if(m_cover.part_of_vertex(part.number(v)) == k && !is_on_rim[part.number(v)])
+        vertices.push_back(v);
+    return vertices;
   }
 
   static Face sorted(Face f)
@@ -182,8 +203,6 @@ private:
     std::sort(f.begin(), f.end());
     return f;
   }
-
-  static constexpr std::size_t faces_of_block = 512;
 
   const Surface_mesh&        m_mesh;
   const Field&               m_field;
@@ -195,6 +214,7 @@ private:
 
 } // namespace internal
 } // namespace Anisotropic_mesh_2
+
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// measures a mesh of a surface in the metric of the space, and how close it is to the surface.

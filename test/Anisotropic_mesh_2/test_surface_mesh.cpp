@@ -152,6 +152,28 @@ void test_curvature_of_ellipsoid()
   CHECK(s.distance_max < 2 * 0.01 * 4 / 0.8); // twice the chord error of the largest radius of curvature
 }
 
+// The optimizer brings all vertices close to their mass centres, those at the
+// seams and poles as well.
+template <class Surface>
+void check_gradient(const Surface& surface, const std::string& name)
+{
+  const auto field = CGAL::make_surface_metric_field_2(surface, [](const Point_3& p) { return 0.15 + 0.1 * std::abs(p.z()); });
+  const auto gradient = [&](int iterations) {
+    return CGAL::anisotropic_surface_statistics(CGAL::make_anisotropic_surface_mesh
+      (field, np::topological_moves(false).number_of_iterations(iterations))).gradient_norm;
+  };
+  const double before = gradient(0), after = gradient(300);
+  CHECK_MSG(std::isfinite(before) && after > 0 && after < 0.1 * before,
+            name + ": " + std::to_string(before) + ", " + std::to_string(after));
+}
+
+void test_gradient()
+{
+  check_gradient(CGAL::Parametric_torus_3<K>(2, 0.7), "torus");
+  check_gradient(CGAL::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), "ellipsoid");
+  check_gradient(CGAL::Quadratic_graph_surface_3<K>(1, 1, square(2)), "paraboloid");
+}
+
 // On a sphere the area of the regions is known, and each place is like any other.
 void test_tessellation_of_sphere()
 {
@@ -261,6 +283,8 @@ void test_plane()
   CHECK(std::abs(s.quality_mean - t.quality_mean) < 1e-12 && std::abs(s.quality_min3_min - t.quality_min3_min) < 1e-12);
   CHECK(std::abs(s.energy / t.energy - 1) < 1e-6 && std::abs(s.ideal_vertices / t.ideal_vertices - 1) < 1e-6);
   CHECK(std::abs(s.edge_length_mean - t.edge_length_mean) < 1e-4);
+  CHECK_MSG(t.gradient_norm > 0 && std::abs(s.gradient_norm / t.gradient_norm - 1) < 1e-6,
+            std::to_string(s.gradient_norm) + ", " + std::to_string(t.gradient_norm));
   CHECK(s.distance_max < 1e-15 && s.normal_deviation_max < 1e-15);
 }
 
@@ -331,6 +355,7 @@ int main()
   test_torus();
   test_ellipsoid();
   test_curvature_of_ellipsoid();
+  test_gradient();
   test_tessellation_of_sphere();
   test_paper_surfaces();
   test_developable_surfaces();

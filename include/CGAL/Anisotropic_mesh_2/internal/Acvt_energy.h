@@ -33,7 +33,7 @@ namespace internal {
 template <class Mesh, class ConcurrencyTag = Sequential_tag>
 class Acvt_energy
 {
-  typedef typename Mesh::Face_handle     Face_handle;
+  typedef std::vector<typename Mesh::Face_handle> Faces;
 
 public:
   static constexpr bool has_couplings = true;
@@ -52,6 +52,12 @@ public:
     return assemble(moments, &couplings);
   }
 
+  // Returns the energy in the given faces alone, and adds their share to the moments.
+  double add_faces(const Faces& faces, std::vector<Region_moments>& moments)
+  {
+    return assemble(faces, moments, nullptr);
+  }
+
 private:
   static constexpr std::size_t faces_of_block = 512;
   static constexpr std::size_t blocks_at_once = is_parallel<ConcurrencyTag> ? 128 : 1;
@@ -59,32 +65,40 @@ private:
   double assemble(std::vector<Region_moments>& moments, Region_couplings* couplings)
   {
     faces_in_domain(m_mesh, m_faces);
-    const std::size_t number_of_blocks = (m_faces.size() + faces_of_block - 1) / faces_of_block;
     moments.assign(m_mesh.vertex_index_bound(), Region_moments());
+    return assemble(m_faces, moments, couplings);
+  }
+
+  double assemble(const Faces& faces, std::vector<Region_moments>& moments, Region_couplings* couplings)
+  {
+    const std::size_t number_of_blocks = number_of_chunks(faces.size(), faces_of_block);
     if(couplings)
-      resize(*couplings, number_of_blocks);
+      resize(*couplings, faces, number_of_blocks);
     double energy = 0;
     for(std::size_t first = 0; first < number_of_blocks; first += blocks_at_once) {
       const std::size_t n = std::min(blocks_at_once, number_of_blocks - first);
-      for_each_task<ConcurrencyTag>(n, [&](std::size_t i) { assemble_block(m_assemblers[i], first + i, couplings); });
+      for_each_task<ConcurrencyTag>(n, [&](std::size_t i) {
+        assemble_block(m_assemblers[i], faces, first + i, couplings);
+      });
       for(std::size_t i = 0; i < n; ++i)
         energy += add_block(m_assemblers[i], moments, couplings);
     }
     return energy;
   }
 
-  void assemble_block(Face_block_assembler<Mesh>& assembler, std::size_t b, Region_couplings* couplings) const
+  static void assemble_block(Face_block_assembler<Mesh>& assembler, const Faces& faces, std::size_t b,
+                             Region_couplings* couplings)
   {
-    const std::size_t begin = b * faces_of_block, end = std::min(m_faces.size(), begin + faces_of_block);
-    assembler(m_faces.data() + begin, m_faces.data() + end, couplings ? &couplings->block(b) : nullptr);
+    const std::size_t begin = b * faces_of_block, end = std::min(faces.size(), begin + faces_of_block);
+    assembler(faces.data() + begin, faces.data() + end, couplings ? &couplings->block(b) : nullptr);
   }
 
   // with the units of a face
-  void resize(Region_couplings& couplings, std::size_t number_of_blocks) const
+  void resize(Region_couplings& couplings, const Faces& faces, std::size_t number_of_blocks) const
   {
     double length = 1, stiffness = 1;
-    if(!m_faces.empty()) {
-      const auto u = m_faces.front()->vertex(0), v = m_faces.front()->vertex(1);
+    if(!faces.empty()) {
+      const auto u = faces.front()->vertex(0), v = faces.front()->vertex(1);
       const Vector_of_doubles p = to_doubles(u->point()), q = to_doubles(v->point());
       const Weighted_tensor m(Symmetric_form(u->metric_tensor()), m_is_riemannian);
       length = std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
@@ -108,7 +122,7 @@ private:
   const Mesh& m_mesh;
   const bool  m_is_riemannian;
   std::vector<Face_block_assembler<Mesh> > m_assemblers;
-  std::vector<Face_handle>                 m_faces;
+  Faces                                    m_faces;
 };
 
 } // namespace internal

@@ -18,15 +18,21 @@ namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
-// 4 sqrt(3) sqrt(det M) area / (sum of the squared M-lengths of the edges):
-// 1 for a triangle that is equilateral in M, negative for an inverted one
+// The quality 4 sqrt(3) |T| / (sum of the squared lengths of the edges) of a triangle T: `gram` is the
+// Gram matrix of two edges, and `parallelogram` the area that they span, of which T is half.
+inline double quality_from_gram(const Symmetric_form& gram, double parallelogram)
+{
+  return std::sqrt(3.) * parallelogram / (gram.a - gram.b + gram.c);
+}
+
+// with lengths and areas in M: 1 for a triangle that is equilateral in M, negative for an inverted one
 template <class Point_2>
 double metric_quality(const Point_2& a, const Point_2& b, const Point_2& c, const Symmetric_form& m)
 {
   const double ux = CGAL::to_double(b.x() - a.x()), uy = CGAL::to_double(b.y() - a.y());
   const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
-  const double edges = m(ux, uy) + m(vx, vy) + m(vx - ux, vy - uy);
-  return 2 * std::sqrt(3.) * std::sqrt(m.determinant()) * (ux*vy - uy*vx) / edges;
+  return quality_from_gram(Symmetric_form(m(ux, uy), m(ux, uy, vx, vy), m(vx, vy)),
+                           std::sqrt(m.determinant()) * (ux*vy - uy*vx));
 }
 
 // the cotangent, in M, of the smallest angle of a counterclockwise triangle

@@ -81,19 +81,26 @@ void for_each_index(std::size_t n, const Function& f)
   });
 }
 
+// What f(i, sum) has added to sums for i in [0, n).
+template <class ConcurrencyTag, class Sum, class Function>
+Sum sum_of_chunks(std::size_t n, const Function& f)
+{
+  std::vector<Sum> sums(number_of_chunks(n), Sum());
+  for_each_chunk<ConcurrencyTag>(n, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for(std::size_t i = begin; i < end; ++i)
+      f(i, sums[chunk]);
+  });
+  Sum sum = Sum();
+  for(const Sum& s : sums)
+    sum += s;
+  return sum;
+}
+
 // The sum of f(i) for i in [0, n).
 template <class ConcurrencyTag, class Function>
 double sum_over(std::size_t n, const Function& f)
 {
-  std::vector<double> sums(number_of_chunks(n), 0.);
-  for_each_chunk<ConcurrencyTag>(n, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    for(std::size_t i = begin; i < end; ++i)
-      sums[chunk] += f(i);
-  });
-  double sum = 0;
-  for(double s : sums)
-    sum += s;
-  return sum;
+  return sum_of_chunks<ConcurrencyTag, double>(n, [&](std::size_t i, double& sum) { sum += f(i); });
 }
 
 // What chunks have collected, in their order.

@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/number_utils.h>
 
@@ -20,16 +21,14 @@ namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
-// 4 sqrt(3) area / (sum of the squared lengths of the edges), both in the tensor
-// `m`: 1 for a triangle in space that is equilateral in it
+// the quality of a triangle in space, with lengths and areas in the tensor `m`
 template <class Point_3, class Tensor_3>
 double surface_quality(const std::array<Point_3, 3>& t, const Tensor_3& m)
 {
   const auto u = t[1] - t[0], v = t[2] - t[0];
   const Symmetric_form gram(CGAL::to_double(m.squared_length(u)), CGAL::to_double(m.scalar_product(u, v)),
                             CGAL::to_double(m.squared_length(v)));
-  return 2 * std::sqrt(3.) * std::sqrt(std::max(0., gram.determinant()))
-       / (gram(1, 0) + gram(0, 1) + gram(1, -1));
+  return quality_from_gram(gram, std::sqrt(std::max(0., gram.determinant())));
 }
 
 // The length in space of the straight line between two points, by Simpson's rule.

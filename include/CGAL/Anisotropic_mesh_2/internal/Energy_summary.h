@@ -1,0 +1,75 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_ENERGY_SUMMARY_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_ENERGY_SUMMARY_H
+
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
+#include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy_of_hexagons.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Anisotropic_mesh_2 {
+namespace internal {
+
+// of the tessellations of one or several planar meshes, more exact than the optimizer needs it
+template <class Mesh, class ConcurrencyTag>
+class Energy_summary
+{
+  typedef std::vector<typename Mesh::Face_handle>   Faces;
+  typedef std::vector<typename Mesh::Vertex_handle> Vertices;
+
+public:
+  explicit Energy_summary(Measure measure) : m_measure(measure) {}
+
+  // Adds the energy and the area of `faces`, and the pulls of `vertices`, whose
+  // regions may reach into the `other_faces`.
+  void add(const Mesh& mesh, const Faces& faces, const Faces& other_faces, const Vertices& vertices)
+  {
+    Acvt_energy<Mesh, ConcurrencyTag> energy(mesh, m_measure, Acvt_accuracy{0.01, 0.05, 0.2, 3});
+    std::vector<Region_moments> moments(mesh.vertex_index_bound());
+    m_energy += energy.add_faces(faces, moments);
+    energy.add_faces(other_faces, moments);
+    for(const auto& v : vertices) {
+      double x, y;
+      moments[v->index()].pull(x, y);
+      m_largest_pull = std::max(m_largest_pull, Symmetric_form(v->metric_tensor()).length(x, y));
+    }
+    const double area = integral(mesh, faces, 0.5);
+    m_area += area;
+    m_density_integral += m_measure == Measure::RIEMANNIAN ? area : integral(mesh, faces, 0.25);
+  }
+
+  void write_to(Mesh_statistics& statistics) const
+  {
+    statistics.ideal_vertices = ideal_number_of_vertices(m_area);
+    statistics.energy = m_energy;
+    statistics.energy_ratio = m_energy / energy_of_hexagons(m_density_integral, double(statistics.triangles) / 2);
+    statistics.gradient_norm = m_largest_pull;
+  }
+
+private:
+  static double integral(const Mesh& mesh, const Faces& faces, double exponent)
+  {
+    return metric_area<ConcurrencyTag>(mesh, faces, exponent, 1e-5, 1000000 + 4 * faces.size());
+  }
+
+  Measure m_measure;
+  double  m_area = 0, m_density_integral = 0, m_energy = 0, m_largest_pull = 0;
+};
+
+} // namespace internal
+} // namespace Anisotropic_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_ENERGY_SUMMARY_H
