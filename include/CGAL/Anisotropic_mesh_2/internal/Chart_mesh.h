@@ -128,7 +128,7 @@ private:
     for(int i = 0; i < 3; ++i)
       if(m_part.chart.is_cut_between(m_coordinates[f[i]], m_coordinates[f[(i + 1) % 3]]))
         return false;
-    return typename Kernel::Orientation_2()(point(f[0]), point(f[1]), point(f[2])) == LEFT_TURN;
+    return m_mesh.geom_traits().orientation_2_object()(point(f[0]), point(f[1]), point(f[2])) == LEFT_TURN;
   }
 
   Point_2 point(std::size_t v) const { return point_at<Point_2>(m_coordinates[v].x, m_coordinates[v].y); }
