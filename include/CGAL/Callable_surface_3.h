@@ -40,11 +40,11 @@ public:
 
   /// the surface of `function`, defined on `parameters`, outside of which it is not called, but for
   /// periodic parameters.
+  /// \pre `parameters.is_valid()`
   Callable_surface_3(Function function, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
     : m_function(std::move(function)), m_parameters(parameters)
   {
-    CGAL_precondition(parameters.u_min < parameters.u_max && parameters.v_min < parameters.v_max);
-    CGAL_precondition(parameters.u_is_periodic || !(parameters.v_min_is_pole || parameters.v_max_is_pole));
+    CGAL_precondition(parameters.is_valid());
   }
 
   Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_parameters; }

@@ -34,14 +34,11 @@ public:
   typedef typename K::Vector_3   Vector_3;
 
   /// the graph with the coefficients `a` and `b` over a rectangle.
-  /// \pre `parameters` is neither periodic nor has poles.
+  /// \pre `parameters.is_valid()`, and `parameters` is not periodic, and so has no poles.
   Quadratic_graph_surface_3(double a, double b, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
     : m_a(a), m_b(b), m_parameters(parameters)
   {
-
-    CGAL_precondition(parameters.u_min < parameters.u_max && parameters.v_min < parameters.v_max);
-    CGAL_precondition(!(parameters.u_is_periodic || parameters.v_is_periodic
-                        || parameters.v_min_is_pole || parameters.v_max_is_pole));
+    CGAL_precondition(parameters.is_valid() && !parameters.is_periodic());
   }
 
   Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_parameters; }

@@ -47,12 +47,9 @@ public:
   typedef Metric_tensor_2<Kernel>        Metric_tensor;
 
   Surface_metric_field_2(Surface surface, Metric metric)
-    : m_surface(std::move(surface)), m_metric(std::move(metric))
-  {
-    const auto r = m_surface.parameters();
-    m_u_extent = r.u_max - r.u_min;
-    m_v_extent = r.v_max - r.v_min;
-  }
+    : m_surface(std::move(surface)), m_metric(std::move(metric)),
+      m_u_extent(m_surface.parameters().u_extent()), m_v_extent(m_surface.parameters().v_extent())
+  {}
 
   const Surface& surface() const { return m_surface; }
   const Metric& metric() const { return m_metric; }

@@ -92,7 +92,7 @@ make_anisotropic_surface_mesh(const Field& field, const CGAL_NP_CLASS& np = CGAL
   typedef typename K::Point_2             Point_2;
 
   const auto r = field.surface().parameters();
-  if(!r.u_is_periodic && !r.v_is_periodic) {
+  if(!r.is_periodic()) {
     Anisotropic_mesh_domain_2<K> domain;
     const auto corner = [](double u, double v) { return internal::point_at<Point_2>(u, v); };
     domain.add_polygon(std::vector<Point_2>{corner(r.u_min, r.v_min), corner(r.u_max, r.v_min),

@@ -60,6 +60,24 @@ std::vector<Point_2> places(const Rectangle& r)
   return result;
 }
 
+// ------------------------------------------------------------- rectangles
+
+void test_rectangles()
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  Rectangle r = rectangle(-1, 2, 3, 3.5);
+  CHECK(r.is_valid() && r.u_extent() == 3 && r.v_extent() == 0.5 && !r.is_periodic() && !r.has_pole());
+  r.v_max_is_pole = true;
+  CHECK(!r.is_valid() && r.has_pole());
+  r.u_is_periodic = true;
+  CHECK(r.is_valid() && r.is_periodic());
+  r.v_is_periodic = true;
+  CHECK(!r.is_valid());
+  CHECK(!rectangle(1, 1, 0, 1).is_valid() && !rectangle(0, 1, 1, 0).is_valid());
+  CHECK(!rectangle(0, infinity, 0, 1).is_valid() && !rectangle(0, 1, -infinity, 0).is_valid());
+  CHECK(!rectangle(0, 1, 0, infinity - infinity).is_valid());
+}
+
 // ------------------------------------------------------------- derivatives
 
 // A surface against the same as a function that is differentiated numerically,
@@ -257,6 +275,7 @@ void test_other_kernel()
 
 int main()
 {
+  test_rectangles();
   test_derivatives(CGAL::Parametric_torus_3<K>(3, 1));
   test_derivatives(CGAL::Parametric_ellipsoid_3<K>(3, 2, 1));
   test_derivatives(CGAL::Quadratic_graph_surface_3<K>(2, -4, rectangle(-1, 2, -1, 1)));

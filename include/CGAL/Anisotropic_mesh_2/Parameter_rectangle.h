@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_PARAMETER_RECTANGLE_H
 #define CGAL_ANISOTROPIC_MESH_2_PARAMETER_RECTANGLE_H
 
+#include <cmath>
+
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 
@@ -24,6 +26,21 @@ struct Parameter_rectangle
   /// from this side, and \f$ \alpha \f$ grows by \f$ 2 \pi \f$ over the range of u.
   bool v_min_is_pole = false;
   bool v_max_is_pole = false; ///< the same for the other side
+
+  double u_extent() const { return u_max - u_min; }
+  double v_extent() const { return v_max - v_min; }
+
+  bool is_periodic() const { return u_is_periodic || v_is_periodic; } ///< in at least one parameter
+  bool has_pole() const { return v_min_is_pole || v_max_is_pole; }    ///< on at least one side
+
+  /// whether the sides and their distances are finite, the extents positive, and poles only
+  /// where u is periodic and v is not.
+  bool is_valid() const
+  {
+    return std::isfinite(u_min) && std::isfinite(v_min) && std::isfinite(u_extent()) && std::isfinite(v_extent())
+        && u_extent() > 0 && v_extent() > 0
+        && (!has_pole() || (u_is_periodic && !v_is_periodic));
+  }
 };
 
 } // namespace Anisotropic_mesh_2

@@ -53,11 +53,11 @@ public:
     : m_surface_mesh(surface_mesh), m_rectangle(surface_mesh.field().surface().parameters()),
       m_limit(maximum_number_of_vertices), m_v_low(m_rectangle.v_min), m_v_high(m_rectangle.v_max)
   {
-    const double dv = m_rectangle.v_max - m_rectangle.v_min;
+    const double radius = radius_of_disc * m_rectangle.v_extent();
     if(m_rectangle.v_min_is_pole)
-      m_v_low += radius_of_disc * dv;
+      m_v_low += radius;
     if(m_rectangle.v_max_is_pole)
-      m_v_high -= radius_of_disc * dv;
+      m_v_high -= radius;
   }
 
   void operator()()
@@ -68,7 +68,7 @@ public:
     const Side left = side(corner[0], corner[3], {u0, m_v_low}, {u0, m_v_high});
     const Side top = m_rectangle.v_is_periodic ? moved(bottom, {0, m_v_high - m_v_low})
                                                : side(corner[3], corner[2], {u0, m_v_high}, {u1, m_v_high});
-    const Side right = m_rectangle.u_is_periodic ? moved(left, {u1 - u0, 0})
+    const Side right = m_rectangle.u_is_periodic ? moved(left, {m_rectangle.u_extent(), 0})
                                                  : side(corner[1], corner[2], {u1, m_v_low}, {u1, m_v_high});
     mesh_loop(window(), {bottom, right, reversed(top), reversed(left)});
     if(m_rectangle.v_min_is_pole)

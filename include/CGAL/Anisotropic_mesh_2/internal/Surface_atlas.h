@@ -36,7 +36,7 @@ struct Surface_atlas
   {
     const double infinity = std::numeric_limits<double>::infinity();
     const Parameter_rectangle r = field.surface().parameters();
-    const double du = r.u_max - r.u_min, dv = r.v_max - r.v_min;
+    const double du = r.u_extent(), dv = r.v_extent();
     const int windows = 1 + r.u_is_periodic + r.v_is_periodic;
     for(int i = 0; i < windows; ++i)
       parts.push_back({Surface_chart<Field>::window(field, r.u_min + i * du / windows, r.v_min + i * dv / windows),

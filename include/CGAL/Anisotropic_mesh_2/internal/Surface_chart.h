@@ -56,8 +56,8 @@ public:
   Vector_of_doubles coordinates(const Vector_of_doubles& p) const
   {
     if(!is_cap())
-      return {m_rectangle.u_is_periodic ? unrolled(p.x, m_start.x, u_extent()) : p.x,
-              m_rectangle.v_is_periodic ? unrolled(p.y, m_start.y, v_extent()) : p.y};
+      return {m_rectangle.u_is_periodic ? unrolled(p.x, m_start.x, m_rectangle.u_extent()) : p.x,
+              m_rectangle.v_is_periodic ? unrolled(p.y, m_start.y, m_rectangle.v_extent()) : p.y};
     const double angle = (p.x - m_rectangle.u_min) / radians(), r = std::max(0., m_pole * (p.y - pole()));
     return m_pole > 0 ? Vector_of_doubles{r * std::sin(angle), r * std::cos(angle)}
                       : Vector_of_doubles{r * std::cos(angle), r * std::sin(angle)};
@@ -70,8 +70,8 @@ public:
     if(is_cap())
       p = {m_rectangle.u_min + radians() * (m_pole > 0 ? std::atan2(x.x, x.y) : std::atan2(x.y, x.x)),
            pole() + m_pole * std::hypot(x.x, x.y)};
-    return {m_rectangle.u_is_periodic ? unrolled(p.x, m_rectangle.u_min, u_extent()) : p.x,
-            m_rectangle.v_is_periodic ? unrolled(p.y, m_rectangle.v_min, v_extent()) : p.y};
+    return {m_rectangle.u_is_periodic ? unrolled(p.x, m_rectangle.u_min, m_rectangle.u_extent()) : p.x,
+            m_rectangle.v_is_periodic ? unrolled(p.y, m_rectangle.v_min, m_rectangle.v_extent()) : p.y};
   }
 
   // the tensor of the field in the coordinates of the chart
@@ -84,16 +84,14 @@ public:
   // Whether two points of a window are so far apart that the straight line between them is not the short way.
   bool is_cut_between(const Vector_of_doubles& p, const Vector_of_doubles& q) const
   {
-    return !is_cap() && ((m_rectangle.u_is_periodic && 2 * std::abs(p.x - q.x) > u_extent())
-                      || (m_rectangle.v_is_periodic && 2 * std::abs(p.y - q.y) > v_extent()));
+    return !is_cap() && ((m_rectangle.u_is_periodic && 2 * std::abs(p.x - q.x) > m_rectangle.u_extent())
+                      || (m_rectangle.v_is_periodic && 2 * std::abs(p.y - q.y) > m_rectangle.v_extent()));
   }
 
 private:
   explicit Surface_chart(const Field& field) : m_field(&field), m_rectangle(field.surface().parameters()) {}
 
-  double u_extent() const { return m_rectangle.u_max - m_rectangle.u_min; }
-  double v_extent() const { return m_rectangle.v_max - m_rectangle.v_min; }
-  double radians() const { return u_extent() / (2 * CGAL_PI); } // a radian in units of u
+  double radians() const { return m_rectangle.u_extent() / (2 * CGAL_PI); } // a radian in units of u
   double pole() const { return m_pole > 0 ? m_rectangle.v_min : m_rectangle.v_max; }
 
   // the value of a periodic parameter in the period that begins at `start`
@@ -106,7 +104,7 @@ private:
   // At the pole itself the parameters have no tensor; it is taken nearby.
   Metric_tensor tensor_in_cap(Vector_of_doubles x) const
   {
-    const double least = 1e-7 * v_extent();
+    const double least = 1e-7 * m_rectangle.v_extent();
     double r = std::hypot(x.x, x.y);
     if(!(r >= least)) {
       x = r > 0 ? Vector_of_doubles{x.x * least / r, x.y * least / r} : Vector_of_doubles{least, 0};
