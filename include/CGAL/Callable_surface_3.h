@@ -20,9 +20,10 @@ namespace CGAL {
 ///
 /// the parametric surface of any function, which is differentiated numerically.
 ///
-/// First derivatives have about eleven correct digits and second ones about
-/// eight, if the function has no details much smaller than a hundredth of the range of parameters. A
-/// first derivative costs 5 calls of the function, the second ones 36 in all.
+/// On a torus, first derivatives err by up to 1.3e-12 of their length inside of the range of parameters and
+/// by 4e-12 at a side of it, second ones by 3e-10 inside and 5e-8 at a side. A function with details much
+/// smaller than a hundredth of the range loses more. A first derivative costs 5 calls of the function,
+/// or 6 close to a side, the second ones 29 to 38 in all.
 ///
 /// \tparam K a model of `Kernel`
 /// \tparam Function a functor `K::Point_3(const K::Point_2&)`, copyable and callable from several threads

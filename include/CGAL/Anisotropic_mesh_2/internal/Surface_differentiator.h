@@ -22,9 +22,7 @@ namespace internal {
 // nodes in each direction, none of which leaves a range that is not periodic.
 //
 // Steps balance truncation, of the fourth order, and rounding, for functions that
-// change over a sixth of the range as the sine does over one radian. On a torus
-// first derivatives err by up to 2e-12 of their length, second ones by 4e-10
-// inside of the range and by 6e-8 at a side of it.
+// change over a sixth of the range as the sine does over one radian.
 template <class K, class Function>
 class Surface_differentiator
 {
