@@ -19,6 +19,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -158,6 +159,19 @@ public:
        << rounded(line_width) << "\" d=\"";
     write_path(os, lines, "z");
     os << "\"/>\n";
+  }
+
+  // closed lines with outlines of a color, each filled with its own; later ones hide earlier ones
+  void draw_outlined_areas(std::ostream& os, const std::vector<std::pair<Svg_line, std::string> >& areas,
+                           const std::string& color, double line_width) const
+  {
+    os << "<g stroke=\"" << color << "\" stroke-width=\"" << rounded(line_width) << "\">\n";
+    for(const auto& area : areas) {
+      os << "<path fill=\"" << area.second << "\" d=\"";
+      write_path(os, {area.first}, "z");
+      os << "\"/>\n";
+    }
+    os << "</g>\n";
   }
 
   static std::string escaped(const std::string& text)

@@ -8,14 +8,14 @@
 #define CGAL_ANISOTROPIC_MESH_2_IO_INTERNAL_SVG_SURFACE_H
 
 #include <CGAL/Anisotropic_mesh_2/View_direction_3.h>
-#include <CGAL/Anisotropic_mesh_2/IO/internal/Text_writer.h>
+#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_lines.h>
+#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_picture.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -56,7 +56,7 @@ public:
       for(int k = 0; k < 3; ++k)
         normal[k] += (a[(k + 1) % 3] - b[(k + 1) % 3]) * (a[(k + 2) % 3] + b[(k + 2) % 3]); // Newell's method
       polygon.depth += product(a, m_to_eye) / double(p.size());
-      polygon.points.push_back({product(a, m_right), -product(a, m_up)});
+      polygon.points.push_back({product(a, m_right), product(a, m_up)});
     }
     if(m_is_closed && product(normal, m_to_eye) <= 0)
       return;
@@ -64,34 +64,28 @@ public:
     m_polygons.push_back(std::move(polygon));
   }
 
-  // 800 pixels wide
   void write(std::ostream& os, const std::string& title)
   {
     std::stable_sort(m_polygons.begin(), m_polygons.end(),
                      [](const Polygon& p, const Polygon& q) { return p.depth < q.depth; });
-    Box box;
-    for(const Polygon& p : m_polygons)
-      for(const auto& x : p.points)
-        box.add(x);
-    const double scale = width / std::max(box.high[0] - box.low[0], 1e-300);
-    const double height = scale * (box.high[1] - box.low[1]);
-    Text_writer out(os);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width + 2*margin << "\" height=\""
-       << std::lround(height) + 2*margin << "\">\n";
-    if(!title.empty())
-      out << "<title>" << title << "</title>\n";
-    out << "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-          "<g stroke=\"#27364a\" stroke-linejoin=\"round\" stroke-width=\"" << rounded(line_width(scale)) + 0.05 << "\">\n";
-    for(const Polygon& p : m_polygons)
-      write(out, p, box, scale);
-    out << "</g>\n</svg>\n";
+    const Svg_picture picture(window(), 0);
+    std::vector<std::pair<Svg_line, std::string> > areas;
+    for(const Polygon& p : m_polygons) {
+      areas.emplace_back(Svg_line(), color(p.shade));
+      for(const Point& x : p.points)
+        areas.back().first.push_back(picture(x[0], x[1]));
+    }
+    picture.write(os, title.empty() ? "Surface" : title, [&](std::ostream& out) {
+      picture.draw_outlined_areas(out, areas, "#27364a", line_width(picture.scale()));
+    }, [&](std::ostream& out) {
+      if(!title.empty())
+        picture.write_caption(out, title, "");
+    });
   }
 
 private:
   typedef std::array<double, 3> Vector;
   typedef std::array<double, 2> Point;
-
-  static constexpr int width = 800, margin = 8;
 
   struct Polygon
   {
@@ -110,19 +104,14 @@ private:
     }
   };
 
-  struct Box
+  Svg_window window() const
   {
-    Point low = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Point high = {-low[0], -low[1]};
-
-    void add(const Point& p)
-    {
-      for(int k = 0; k < 2; ++k) {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
-    }
-  };
+    Svg_window result;
+    for(const Polygon& p : m_polygons)
+      for(const Point& x : p.points)
+        result.add(x[0], x[1]);
+    return result;
+  }
 
   static double product(const Vector& a, const Vector& b) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
 
@@ -147,19 +136,10 @@ private:
     return std::clamp(0.06 * size, 0.1, 1.);
   }
 
-  static double rounded(double x) { return std::round(10 * x) / 10; }
-
-  static void write(Text_writer& out, const Polygon& p, const Box& box, double scale)
+  static std::string color(double shade)
   {
-    const int light = std::clamp(int(std::lround(90 + 165 * std::sqrt(p.shade))), 0, 255);
-    out << "<path fill=\"rgb(" << 4*light/5 << ' ' << 7*light/8 << ' ' << light << ")\" d=\"";
-    char command = 'M';
-    for(const Point& x : p.points) {
-      out << command << rounded(margin + scale * (x[0] - box.low[0])) << ' '
-          << rounded(margin + scale * (x[1] - box.low[1]));
-      command = 'L';
-    }
-    out << "z\"/>\n";
+    const int light = std::clamp(int(std::lround(90 + 165 * std::sqrt(shade))), 0, 255);
+    return "rgb(" + std::to_string(4*light/5) + ',' + std::to_string(7*light/8) + ',' + std::to_string(light) + ')';
   }
 
   const bool           m_is_closed;
