@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 
 namespace program {
@@ -112,19 +113,22 @@ inline Surface_with_metric saddle_curvature(double scale)
 
 } // namespace builtin
 
-inline bool is_builtin_surface(const std::string& name)
+inline const std::map<std::string, Surface_with_metric (*)(double scale)>& builtin_surfaces()
 {
-  return name == "ellipsoid" || name == "paraboloid" || name == "torus" || name == "saddle-sizes"
-      || name == "saddle-curvature";
+  static const std::map<std::string, Surface_with_metric (*)(double)> surfaces = {
+    {"ellipsoid",        builtin::ellipsoid},
+    {"paraboloid",       builtin::paraboloid},
+    {"torus",            builtin::torus},
+    {"saddle-sizes",     builtin::saddle_sizes},
+    {"saddle-curvature", builtin::saddle_curvature}};
+  return surfaces;
 }
+
+inline bool is_builtin_surface(const std::string& name) { return builtin_surfaces().count(name) > 0; }
 
 inline Surface_with_metric builtin_surface(const std::string& name, double scale)
 {
-  if(name == "ellipsoid")     return builtin::ellipsoid(scale);
-  if(name == "paraboloid")    return builtin::paraboloid(scale);
-  if(name == "torus")         return builtin::torus(scale);
-  if(name == "saddle-sizes")  return builtin::saddle_sizes(scale);
-  return builtin::saddle_curvature(scale);
+  return builtin_surfaces().at(name)(scale);
 }
 
 } // namespace program
