@@ -16,6 +16,7 @@
 /// \cgalHasModels{CGAL::Parametric_ellipsoid_3<K>}
 /// \cgalHasModels{CGAL::Parametric_torus_3<K>}
 /// \cgalHasModels{CGAL::Quadratic_graph_surface_3<K>}
+/// \cgalHasModels{CGAL::Triangulated_surface_3<K>}
 /// \cgalHasModelsEnd
 class ParametricSurface_3
 {

@@ -1,0 +1,95 @@
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Anisotropic_mesh_2 developers
+
+#ifndef CGAL_VERTEX_METRIC_3_H
+#define CGAL_VERTEX_METRIC_3_H
+
+#include <CGAL/Metric_tensor_3.h>
+#include <CGAL/Triangulated_surface_3.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// the metric of the space that interpolates tensors given at the vertices of a triangulated surface.
+///
+/// In a triangle, the matrix logarithms of the three tensors are interpolated linearly, as by
+/// `Discrete_metric_field_2`. Copies share their data and are cheap.
+///
+/// \tparam K a model of `Kernel`
+/// \sa `Surface_metric_field_2`
+template <class K>
+class Vertex_metric_3
+{
+public:
+  typedef Triangulated_surface_3<K>    Surface;
+  typedef typename K::FT               FT;
+  typedef typename K::Point_2          Point_2;
+  typedef Metric_tensor_3<K>           Metric_tensor;
+
+  /// the metric with the given tensors, in the order of the vertices of `surface`.
+  /// \throw std::invalid_argument if there are not as many tensors as vertices.
+  Vertex_metric_3(const Surface& surface, const std::vector<Metric_tensor>& tensors)
+  {
+    if(tensors.size() != surface.number_of_vertices())
+      throw std::invalid_argument("the surface has " + std::to_string(surface.number_of_vertices())
+                                  + " vertices, but " + std::to_string(tensors.size()) + " metric tensors are given");
+    auto logarithms = std::make_shared<std::vector<Matrix> >();
+    for(const Metric_tensor& m : tensors)
+      logarithms->push_back(logarithm(m));
+    m_logarithms = logarithms;
+  }
+
+  /// returns the tensor of the space at a point of the surface.
+  Metric_tensor operator()(const Surface& surface, const Point_2& uv) const
+  {
+    const typename Surface::Place place = surface.locate(uv);
+    Matrix l = Matrix::Zero();
+    for(int i = 0; i < 3; ++i)
+      l += place.weights[i] * (*m_logarithms)[place.vertices[i]];
+    return exponential(l);
+  }
+
+private:
+  typedef Eigen::Matrix3d                          Matrix;
+  typedef Eigen::SelfAdjointEigenSolver<Matrix>    Eigen_solver;
+
+  static Matrix logarithm(const Metric_tensor& m)
+  {
+    std::array<double, 6> e;
+    for(int k = 0; k < 6; ++k)
+      e[k] = CGAL::to_double(m.entries()[k]);
+    Matrix a;
+    a << e[0], e[1], e[2], e[1], e[3], e[4], e[2], e[4], e[5];
+    const Eigen_solver solver(a);
+    return solver.eigenvectors() * solver.eigenvalues().array().log().matrix().asDiagonal() * solver.eigenvectors().transpose();
+  }
+
+  static Metric_tensor exponential(const Matrix& l)
+  {
+    const Eigen_solver solver(l);
+    const Matrix a = solver.eigenvectors() * solver.eigenvalues().array().exp().matrix().asDiagonal()
+                   * solver.eigenvectors().transpose();
+    return Metric_tensor::from_entries({FT(a(0, 0)), FT(a(0, 1)), FT(a(0, 2)), FT(a(1, 1)), FT(a(1, 2)), FT(a(2, 2))});
+  }
+
+  std::shared_ptr<const std::vector<Matrix> > m_logarithms; // by vertex
+};
+
+} // namespace CGAL
+
+#endif // CGAL_VERTEX_METRIC_3_H
