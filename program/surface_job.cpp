@@ -13,13 +13,14 @@
 
 #include <CGAL/Anisotropic_mesh_2/IO/surface.h>
 #include <CGAL/Surface_metric_field_2.h>
+#include <CGAL/acvt_optimize_surface_mesh.h>
 #include <CGAL/anisotropic_surface_statistics.h>
 #include <CGAL/anisotropic_surface_voronoi_regions.h>
 #include <CGAL/make_anisotropic_surface_mesh.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
 
-#include <optional>
 #include <string>
 
 namespace program {
@@ -45,12 +46,12 @@ void check_options(const Options& options)
       throw Unusable_input("-o " + output.path + ": a surface is written as .off, .ply or .svg");
 }
 
-// Several charts are optimized one after the other, each with the time that is left.
+// Several charts are optimized one after the other, each by a copy of the visitor.
 class Surface_visitor
 {
 public:
-  Surface_visitor(const Options& options, Progress& progress, const CGAL::Real_timer& timer, Run_report& report)
-    : m_time_limit(options.time_limit), m_progress(&progress), m_timer(&timer), m_report(&report)
+  Surface_visitor(Progress& progress, const CGAL::Real_timer& timer, Run_report& report)
+    : m_progress(&progress), m_timer(&timer), m_report(&report)
   {}
 
   bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& state)
@@ -59,34 +60,39 @@ public:
       ++m_report->iterations;
     m_progress->update("iteration " + std::to_string(m_report->iterations) + " of all charts, "
                        + std::to_string(m_timer->time()) + " s");
-    return !Interruption::is_wanted() && !(m_time_limit && m_timer->time() >= *m_time_limit);
+    return !Interruption::is_wanted();
   }
 
 private:
-  std::optional<double>   m_time_limit;
   Progress*               m_progress;
   const CGAL::Real_timer* m_timer;
   Run_report*             m_report;
 };
 
-Surface_mesh mesh_of(const Options& options, Progress& progress, Run_report& report)
+Surface_mesh make_unit_mesh(const Options& options, Run_report& report)
 {
-  namespace np = CGAL::Anisotropic_mesh_2::parameters;
   const Surface_with_metric input = builtin_surface(options.domain, options.scale);
-  const bool is_optimized = options.optimizer != Optimizer::NONE;
+  CGAL::Real_timer timer;
+  timer.start();
+  Surface_mesh mesh = CGAL::make_anisotropic_surface_mesh(Surface_field(input.surface, input.metric),
+                                                          CGAL::parameters::number_of_iterations(0));
+  report.seconds_mesh = timer.time();
+  return mesh;
+}
+
+void optimize(Surface_mesh& mesh, const Options& options, Progress& progress, Run_report& report)
+{
+  if(options.optimizer == Optimizer::NONE)
+    return;
   const Interruption interruption;
   CGAL::Real_timer timer;
   timer.start();
-  Surface_mesh mesh = CGAL::make_anisotropic_surface_mesh
-    (Surface_field(input.surface, input.metric),
-     np::convergence(options.tolerance, np::topological_moves(is_optimized))
-       .number_of_iterations(is_optimized ? options.iterations : 0)
-       .visitor(Surface_visitor(options, progress, timer, report)));
-  report.seconds_mesh = timer.time();
-  if(is_optimized)
-    report.stop_reason = Interruption::is_wanted() ? "interrupted"
-                       : options.time_limit && timer.time() >= *options.time_limit ? "time limit" : "all charts done";
-  return mesh;
+  report.stop_reason = name_of(CGAL::acvt_optimize_surface_mesh
+    (mesh, CGAL::Anisotropic_mesh_2::parameters::convergence(options.tolerance)
+             .number_of_iterations(options.iterations)
+             .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
+             .visitor(Surface_visitor(progress, timer, report))));
+  report.seconds_optimize = timer.time();
 }
 
 void write_mesh(const Surface_mesh& mesh, const Output& output)
@@ -105,8 +111,9 @@ void run_surface(const Options& options, Progress& progress)
   check_options(options);
   Run_report report;
   progress.say("meshing");
-  const Surface_mesh mesh = mesh_of(options, progress, report);
+  Surface_mesh mesh = make_unit_mesh(options, report);
   progress.say(std::to_string(mesh.number_of_vertices()) + " vertices");
+  optimize(mesh, options, progress, report);
   for(const Output& output : options.meshes)
     write_mesh(mesh, output);
   if(!options.voronoi.empty())

@@ -10,13 +10,13 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Closed_surface_mesher.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_chart.h>
 #include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
-#include <CGAL/Anisotropic_mesh_2/internal/optimize_closed_surface_mesh.h>
 #include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 #include <CGAL/Surface_metric_field_2.h>
 #include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/acvt_optimize_surface_mesh.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cstddef>
@@ -73,10 +73,9 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 ///
 /// Where a parameter is periodic, the mesh is closed: the unit mesh of
 /// the rectangle of parameters gets the same vertices on the sides that
-/// coincide, and is then optimized in several charts in turn, which are cut at
-/// different places, so that each vertex is free in at least one of them. Around a pole
-/// a chart has polar coordinates. The named parameters of the
-/// optimizer hold for each chart.
+/// coincide, and discs around the poles in polar coordinates. It is then optimized by
+/// `acvt_optimize_surface_mesh()`, which may also be called on its own, for the sake of its return code, if
+/// `number_of_iterations(0)` is given here.
 ///
 /// All other parameters are those of the overload for a part of the surface, and so are the exceptions.
 /// \throw Invalid_domain_exception if the sizes are so large that less than three edges would lead
@@ -103,7 +102,7 @@ make_anisotropic_surface_mesh(const Field& field, const CGAL_NP_CLASS& np = CGAL
   const std::size_t limit = choose_parameter<std::size_t>
     (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
   internal::Closed_surface_mesher<Field>{surface_mesh, limit}();
-  internal::optimize_closed_surface_mesh<ConcurrencyTag>(surface_mesh, np);
+  acvt_optimize_surface_mesh<ConcurrencyTag>(surface_mesh, np);
   return surface_mesh;
 }
 

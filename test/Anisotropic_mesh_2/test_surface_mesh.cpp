@@ -7,6 +7,7 @@
 // Meshes of parametric surfaces: topology, quality, seams and poles, and
 // developable surfaces against the plane.
 
+#include "include/any_surface.h"
 #include "include/check.h"
 
 #include <CGAL/Callable_surface_3.h>
@@ -20,6 +21,7 @@
 #include <CGAL/Quadratic_graph_surface_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
+#include <CGAL/acvt_optimize_surface_mesh.h>
 #include <CGAL/anisotropic_surface_statistics.h>
 #include <CGAL/anisotropic_surface_voronoi_regions.h>
 #include <CGAL/make_anisotropic_surface_mesh.h>
@@ -103,7 +105,7 @@ void check_quality(const Statistics& s, double mean, double least, const std::st
 // The faces that touch the seams of both parameters are as good as the others.
 void test_torus()
 {
-  const auto field = CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3& p) {
+  const auto field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3& p) {
     return 0.1 + 0.2 * std::hypot(std::hypot(p.x(), p.y()) - 2.7, p.z()); // refined at the outer circle
   });
   const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
@@ -126,7 +128,7 @@ void test_torus()
 void test_ellipsoid()
 {
   const Point_3 pole(0, 0, 0.8);
-  const auto field = CGAL::make_surface_metric_field_2(CGAL::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), [=](const Point_3& p) {
+  const auto field = surface_field(CGAL::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), [=](const Point_3& p) {
     return 0.03 + 0.1 * distance(p, pole);
   });
   const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
@@ -145,7 +147,7 @@ void test_curvature_of_ellipsoid()
 {
   typedef CGAL::Parametric_ellipsoid_3<K> Ellipsoid;
   const auto mesh = CGAL::make_anisotropic_surface_mesh
-    (CGAL::make_surface_metric_field_2(Ellipsoid(2, 1.2, 0.8), CGAL::Curvature_metric_3<Ellipsoid>(0.01, 0.01, 1)));
+    (surface_field(Ellipsoid(2, 1.2, 0.8), CGAL::Curvature_metric_3<Ellipsoid>(0.01, 0.01, 1)));
   check_closed(mesh, 2, "ellipsoid, curvature");
   const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
   check_quality(s, 0.97, 0.6, "ellipsoid, curvature");
@@ -157,7 +159,7 @@ void test_curvature_of_ellipsoid()
 template <class Surface>
 void check_gradient(const Surface& surface, const std::string& name)
 {
-  const auto field = CGAL::make_surface_metric_field_2(surface, [](const Point_3& p) { return 0.15 + 0.1 * std::abs(p.z()); });
+  const auto field = surface_field(surface, [](const Point_3& p) { return 0.15 + 0.1 * std::abs(p.z()); });
   const auto gradient = [&](int iterations) {
     return CGAL::anisotropic_surface_statistics(CGAL::make_anisotropic_surface_mesh
       (field, np::topological_moves(false).number_of_iterations(iterations))).gradient_norm;
@@ -178,7 +180,7 @@ void test_gradient()
 void test_tessellation_of_sphere()
 {
   const auto mesh = CGAL::make_anisotropic_surface_mesh
-    (CGAL::make_surface_metric_field_2(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) { return 0.25; }));
+    (surface_field(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) { return 0.25; }));
   check_closed(mesh, 2, "sphere");
   const auto regions = CGAL::anisotropic_surface_voronoi_regions(mesh);
   CHECK(regions.size() == mesh.number_of_vertices());
@@ -206,12 +208,12 @@ void test_paper_surfaces()
     CHECK_MSG(euler_characteristic(m) == 1 && !PMP::does_self_intersect(m), name);
     check_quality(CGAL::anisotropic_surface_statistics(mesh), mean, least, name);
   };
-  check(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  check(CGAL::make_anisotropic_surface_mesh(surface_field
     (Graph(1, 1, square(2)), [](const Point_3& p) { return 0.06 + 0.15 * std::abs(p.y()); })), 0.979, 0.6, "paraboloid");
-  check(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  check(CGAL::make_anisotropic_surface_mesh(surface_field
     (Graph(2, -4, square(1)), [](const Point_3&) { return CGAL::Metric_tensor_3<K>::from_sizes(0.04, 0.4, 0.04); })),
         0.971, 0.55, "saddle, sizes");
-  check(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  check(CGAL::make_anisotropic_surface_mesh(surface_field
     (Graph(2, -4, square(2)), CGAL::Curvature_metric_3<Graph>(0.001, 0.005, 1))), 0.968, 0.55, "saddle, curvature");
 }
 
@@ -221,7 +223,7 @@ template <class Surface, class Map>
 void check_developable(const Surface& surface, const Map& unroll, const std::string& name)
 {
   const double size = 0.06;
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2(surface, [=](const Point_3&) {
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field(surface, [=](const Point_3&) {
     return size;
   }));
   const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
@@ -264,7 +266,7 @@ void test_plane()
 {
   const Rectangle r;
   const auto size = [](double x, double y) { return 0.05 + 0.1 * x * y; };
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field
     (CGAL::Quadratic_graph_surface_3<K>(0, 0, r), [&](const Point_3& p) { return size(p.x(), p.y()); }));
   CGAL::Anisotropic_mesh_domain_2<K> domain;
   domain.add_polygon(std::vector<Point_2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
@@ -294,7 +296,7 @@ void test_tube()
   Rectangle r;
   r.u_max = 2 * CGAL_PI;
   r.u_is_periodic = true;
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field
     (CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(std::cos(p.x()), std::sin(p.x()), p.y()); }, r),
      [](const Point_3&) { return 0.15; }));
   const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
@@ -310,6 +312,38 @@ void test_tube()
   check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.985, 0.8, "tube");
 }
 
+struct Obeying_visitor
+{
+  bool goes_on;
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state&) const { return goes_on; }
+};
+
+// The optimizer alone, on a closed mesh and on one with a border: it lowers the energy
+// and tells why it stopped.
+void test_optimizer()
+{
+  const auto optimize = [](auto& mesh, int iterations, double seconds = 0, bool goes_on = true) {
+    return CGAL::acvt_optimize_surface_mesh(mesh, CGAL::parameters::number_of_iterations(iterations)
+                                                    .maximum_running_time(seconds).visitor(Obeying_visitor{goes_on}));
+  };
+  const auto size = [](const Point_3& q) { return 0.15 + 0.05 * q.y(); };
+  const auto check = [&](const Any_surface_field& field, const std::string& name) {
+    const auto start = CGAL::make_anisotropic_surface_mesh
+      (field, np::topological_moves(false).number_of_iterations(0));
+    auto mesh = start;
+    CHECK_MSG(optimize(mesh, 100, 1e-9) == CGAL::TIME_LIMIT_REACHED, name);
+    CHECK_MSG(optimize(mesh, 100, 0, false) == CGAL::BOUND_REACHED, name);
+    CHECK_MSG(optimize(mesh, 2) == CGAL::MAX_ITERATION_NUMBER_REACHED, name);
+    const auto code = optimize(mesh, 100);
+    CHECK_MSG(code == CGAL::CANT_IMPROVE_ANYMORE || code == CGAL::CONVERGENCE_REACHED, name + std::to_string(code));
+    const Statistics before = CGAL::anisotropic_surface_statistics(start), after = CGAL::anisotropic_surface_statistics(mesh);
+    CHECK_MSG(after.energy < 0.99 * before.energy, name + std::to_string(after.energy / before.energy));
+    check_quality(after, 0.98, 0.8, name);
+  };
+  check(surface_field(CGAL::Parametric_torus_3<K>(1, 0.5), size), "torus, optimized");
+  check(surface_field(CGAL::Quadratic_graph_surface_3<K>(0.5, 0.5, square(3)), size), "graph, optimized");
+}
+
 // However large the sizes, the mesh is closed or refused: no edge may lead around
 // the tube to the vertex where it began.
 void test_coarse_meshes()
@@ -318,7 +352,7 @@ void test_coarse_meshes()
   for(double size : {0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3., 10.})
     try {
       check_closed(CGAL::make_anisotropic_surface_mesh
-                     (CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<K>(2, 0.9), [=](const Point_3&) {
+                     (surface_field(CGAL::Parametric_torus_3<K>(2, 0.9), [=](const Point_3&) {
                        return size;
                      })), 0, "torus of size " + std::to_string(size));
       ++closed;
@@ -334,16 +368,16 @@ void test_refusals()
 {
   const auto unit = [](const Point_3&) { return 0.2; };
   const auto folded = [](const Point_2& p) { return Point_3(p.x() * p.x(), p.y(), 0); };
-  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(surface_field
                  (CGAL::make_callable_surface_3<K>(folded, Rectangle()), unit)),
                CGAL::Degenerate_parametrization_exception, "the derivative of the surface by u is zero at the point (0, ");
   Rectangle r;
   r.u_is_periodic = r.v_is_periodic = true;
   const auto broken = [](const Point_2& p) { return Point_3(std::log(p.x() - 0.5), p.y(), 0); };
-  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(surface_field
                  (CGAL::make_callable_surface_3<K>(broken, r), unit)),
                CGAL::Degenerate_parametrization_exception, "of the parameters (u, v)");
-  const auto tiny = CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return 1e-5; });
+  const auto tiny = surface_field(CGAL::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return 1e-5; });
   CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(tiny, np::maximum_number_of_vertices(1000)),
                CGAL::Too_many_vertices_exception, "1000");
 }
@@ -361,6 +395,7 @@ int main()
   test_developable_surfaces();
   test_plane();
   test_tube();
+  test_optimizer();
   test_coarse_meshes();
   test_refusals();
   return finish();
