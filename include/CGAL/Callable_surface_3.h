@@ -33,11 +33,11 @@ template <class K, class Function>
 class Callable_surface_3
 {
 public:
-  typedef K                      Kernel;
-  typedef typename K::FT         FT;
-  typedef typename K::Point_2    Point_2;
-  typedef typename K::Point_3    Point_3;
-  typedef typename K::Vector_3   Vector_3;
+  typedef K                      Kernel;   ///< the kernel
+  typedef typename K::FT         FT;       ///< its number type
+  typedef typename K::Point_2    Point_2;  ///< a point of the parameters
+  typedef typename K::Point_3    Point_3;  ///< a point of space
+  typedef typename K::Vector_3   Vector_3; ///< a vector of space
 
   /// the surface of `function`, defined on `parameters`, outside of which it is not called, but for
   /// periodic parameters.
@@ -48,16 +48,20 @@ public:
     CGAL_precondition(parameters.is_valid());
   }
 
+  /// the rectangle of parameters.
   Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_parameters; }
 
+  /// the point with the parameters `uv`.
   Point_3 point(const Point_2& uv) const { return m_function(uv); }
 
+  /// the derivatives by u and by v.
   std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const
   {
     const Differentiator derivative(m_function, m_parameters);
     return {derivative(uv, 1, 0), derivative(uv, 0, 1)};
   }
 
+  /// the derivatives twice by u, by u and v, and twice by v.
   std::array<Vector_3, 3> second_derivatives(const Point_2& uv) const
   {
     const Differentiator derivative(m_function, m_parameters);

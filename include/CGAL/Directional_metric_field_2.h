@@ -33,9 +33,9 @@ template <class K, class Sizes>
 class Directional_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field with what `sizes` gives.
   explicit Directional_metric_field_2(Sizes sizes) : m_sizes(std::move(sizes)) {}

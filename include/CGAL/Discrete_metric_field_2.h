@@ -40,9 +40,9 @@ template <class K>
 class Discrete_metric_field_2
 {
 public:
-  typedef typename K::Point_2                                  Point_2;
-  typedef Metric_tensor_2<K>                                   Metric_tensor;
-  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>  Background;
+  typedef typename K::Point_2                                  Point_2;       ///< a point
+  typedef Metric_tensor_2<K>                                   Metric_tensor; ///< a tensor
+  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>  Background; ///< points and triangles
 
   /// interpolates `tensors[i]`, given at `background.points[i]`, over `background.triangles`,
   /// which may be oriented either way and should not overlap.

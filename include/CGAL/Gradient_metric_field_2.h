@@ -48,9 +48,9 @@ template <class K, class Gradient>
 class Gradient_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field of the function with the given gradient.
   /// \param gradient the gradient.

@@ -49,9 +49,9 @@ template <class K, class Hessian>
 class Hessian_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field of the function with the given Hessian.
   /// \param hessian the Hessian.

@@ -26,9 +26,9 @@ template <class K, class Size>
 class Isotropic_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field with the sizes that `size` gives.
   explicit Isotropic_metric_field_2(Size size) : m_size(std::move(size)) {}

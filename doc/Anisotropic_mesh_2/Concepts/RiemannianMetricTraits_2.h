@@ -54,7 +54,7 @@ public:
   /// For the counterclockwise triangle `abc` it returns `ON_POSITIVE_SIDE`,
   /// `ON_ORIENTED_BOUNDARY` or `ON_NEGATIVE_SIDE` as the product
   /// \f$ \alpha_{M(p)} \alpha_{M(a)} \alpha_{M(b)} \alpha_{M(c)} \f$ of the Delaunay
-  /// measures is less than, equal to or greater than 1.
+  /// measures is less than, equal to or greater than 1 (section 3.1 of \cgalCite{dw-acvt-05}).
   typedef unspecified_type Side_of_metric_circle_2;
   /// @}
 
@@ -66,14 +66,20 @@ public:
   typedef unspecified_type Construct_metric_tensor_2;
 
   /// provides `double operator()(Point_2 p, Point_2 q)`, the Riemannian length of
-  /// the segment from `p` to `q`.
+  /// the segment from `p` to `q` (section 2.2 of \cgalCite{dw-acvt-05}).
   typedef unspecified_type Compute_riemannian_length_2;
   /// @}
 
   /// \name Operations
   /// @{
+
+  /// returns the cavity criterion.
   Side_of_metric_circle_2 side_of_metric_circle_2_object() const;
+
+  /// returns the functor that evaluates the field.
   Construct_metric_tensor_2 construct_metric_tensor_2_object() const;
+
+  /// returns the functor of lengths.
   Compute_riemannian_length_2 compute_riemannian_length_2_object() const;
   /// @}
 };

@@ -21,7 +21,7 @@ struct Delaunay_consistency
   std::size_t edges = 0;             ///< free edges between two faces
   std::size_t consistent_edges = 0;  ///< those that agree with the cavity criterion, see `CGAL::is_consistent_edge()`
   std::size_t stars = 0;             ///< vertices
-  std::size_t consistent_stars = 0;  ///< those whose star is Delaunay in their own metric, see `CGAL::is_consistent_star()`
+  std::size_t consistent_stars = 0;  ///< those whose star is Delaunay in its own metric, see `CGAL::is_consistent_star()`
 
   /// the share of consistent edges, 1 if there are no edges.
   double edge_share() const { return share(consistent_edges, edges); }

@@ -19,6 +19,7 @@ namespace Anisotropic_mesh_2 {
 /// \cgalModels{VoronoiDistance_2}
 struct Labelle_Shewchuk_distance_2
 {
+  /// distances are measured at generators.
   static constexpr bool is_measured_at_generators = true;
 
   /// the tensor by which distances to `v` are measured.

@@ -23,9 +23,9 @@ template <class K>
 struct Voronoi_bisector_2
 {
   std::array<std::size_t, 2>            regions;  ///< the one on the left and the one on the right
-  bool                                  is_between_main_pieces;
-  bool                                  is_closed;
-  std::vector<typename K::Point_2>      points;
+  bool                                  is_between_main_pieces; ///< else a piece beside it is an orphan
+  bool                                  is_closed; ///< whether the last point is joined to the first one
+  std::vector<typename K::Point_2>      points;    ///< the corners of the line, in order
 };
 
 } // namespace Anisotropic_mesh_2

@@ -20,7 +20,7 @@ namespace Anisotropic_mesh_2 {
 template <class K>
 struct Voronoi_piece_2
 {
-  typedef std::vector<typename K::Point_2> Polygon;
+  typedef std::vector<typename K::Point_2> Polygon; ///< the corners of a closed line
 
   bool                  is_main = false; ///< whether it contains the generator; else it is an orphan
   double                area = 0;        ///< the Euclidean area

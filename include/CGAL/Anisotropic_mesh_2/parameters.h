@@ -33,8 +33,10 @@ struct topological_moves_t {};
 /// (`number_of_iterations`, `maximum_running_time`, `visitor`) may follow a dot.
 namespace parameters {
 
+/// what a function for a named parameter returns: a list of parameters that begins with it.
 template <class Value, class Tag>
 using Parameter = Named_function_parameters<Value, Tag>;
+/// the same before another list.
 template <class Value, class Tag, class T, class OtherTag, class Base>
 using Chained_parameter = Named_function_parameters<Value, Tag, Named_function_parameters<T, OtherTag, Base> >;
 
@@ -42,6 +44,7 @@ using Chained_parameter = Named_function_parameters<Value, Tag, Named_function_p
 template <class Value>
 Parameter<Value, internal::convergence_t> convergence(const Value& v)
 { return Parameter<Value, internal::convergence_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::convergence_t, T, Tag, Base>
 convergence(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -51,6 +54,7 @@ convergence(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 template <class Value>
 Parameter<Value, internal::energy_reduction_t> energy_reduction(const Value& v)
 { return Parameter<Value, internal::energy_reduction_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::energy_reduction_t, T, Tag, Base>
 energy_reduction(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -60,6 +64,7 @@ energy_reduction(const Value& v, const Named_function_parameters<T, Tag, Base>& 
 template <class Value>
 Parameter<Value, internal::measure_t> measure(const Value& v)
 { return Parameter<Value, internal::measure_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::measure_t, T, Tag, Base>
 measure(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -69,6 +74,7 @@ measure(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 template <class Value>
 Parameter<Value, internal::maximum_number_of_vertices_t> maximum_number_of_vertices(const Value& v)
 { return Parameter<Value, internal::maximum_number_of_vertices_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::maximum_number_of_vertices_t, T, Tag, Base>
 maximum_number_of_vertices(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -78,6 +84,7 @@ maximum_number_of_vertices(const Value& v, const Named_function_parameters<T, Ta
 template <class Value>
 Parameter<Value, internal::keep_boundary_points_t> keep_boundary_points(const Value& v)
 { return Parameter<Value, internal::keep_boundary_points_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::keep_boundary_points_t, T, Tag, Base>
 keep_boundary_points(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -87,6 +94,7 @@ keep_boundary_points(const Value& v, const Named_function_parameters<T, Tag, Bas
 template <class Value>
 Parameter<Value, internal::point_placement_t> point_placement(const Value& v)
 { return Parameter<Value, internal::point_placement_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::point_placement_t, T, Tag, Base>
 point_placement(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -96,6 +104,7 @@ point_placement(const Value& v, const Named_function_parameters<T, Tag, Base>& n
 template <class Value>
 Parameter<Value, internal::region_evaluation_t> region_evaluation(const Value& v)
 { return Parameter<Value, internal::region_evaluation_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::region_evaluation_t, T, Tag, Base>
 region_evaluation(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
@@ -105,6 +114,7 @@ region_evaluation(const Value& v, const Named_function_parameters<T, Tag, Base>&
 template <class Value>
 Parameter<Value, internal::topological_moves_t> topological_moves(const Value& v)
 { return Parameter<Value, internal::topological_moves_t>(v); }
+/// the same, before the parameters `np`.
 template <class Value, class T, class Tag, class Base>
 Chained_parameter<Value, internal::topological_moves_t, T, Tag, Base>
 topological_moves(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
