@@ -78,6 +78,13 @@ private:
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// returns the surface of `function`; `K` is to be named, as in `make_callable_surface_3<K>(function, parameters)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Function a functor `K::Point_3(const K::Point_2&)`, copyable and callable from several threads
+/// \param function the function
+/// \param parameters the rectangle on which it is defined
+/// \return the surface
+/// \pre `parameters.is_valid()`
 template <class K, class Function>
 Callable_surface_3<K, Function> make_callable_surface_3(Function function,
                                                         const Anisotropic_mesh_2::Parameter_rectangle& parameters)
@@ -89,7 +96,13 @@ Callable_surface_3<K, Function> make_callable_surface_3(Function function,
 ///
 /// returns the graph \f$ z = f(x, y) \f$ over a rectangle; `K` is to be named, as in
 /// `make_graph_surface_3<K>(f, parameters)`.
+///
+/// \tparam K a model of `Kernel`
 /// \tparam Height a functor `K::FT(const K::Point_2&)`, copyable and callable from several threads
+/// \param height the function \f$ f \f$
+/// \param parameters the rectangle, in x and y
+/// \return the surface, a `Callable_surface_3`
+/// \pre `parameters.is_valid()`
 template <class K, class Height>
 auto make_graph_surface_3(Height height, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
 {

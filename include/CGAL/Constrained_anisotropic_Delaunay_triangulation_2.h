@@ -29,7 +29,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// The generalized constrained Delaunay kernel (section 3.1 of
+/// The generalized constrained Delaunay kernel (\cgalCite{bghls-dmg-97}, section 3.1 of
 /// \cgalCite{dw-acvt-05}): a constrained triangulation in which a new point is
 /// joined to the boundary of its *cavity*, the connected set of faces that are
 /// in conflict with it under the metric tensors of the point and of the three

@@ -59,6 +59,11 @@ private:
 ///
 /// returns the metric field of the sizes and directions that `sizes(p)` gives;
 /// `K` is to be named, as in `make_directional_metric_field_2<K>(sizes)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Sizes as for `Directional_metric_field_2`
+/// \param sizes the sizes and the angle at a point
+/// \return the field
 template <class K, class Sizes>
 Directional_metric_field_2<K, Sizes> make_directional_metric_field_2(Sizes sizes)
 {

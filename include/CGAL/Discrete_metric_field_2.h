@@ -26,7 +26,7 @@ namespace CGAL {
 /// triangle mesh, the background.
 ///
 /// In a triangle, the matrix logarithms of the three tensors are interpolated linearly
-/// (log-Euclidean mean), so that the result is positive definite and lies
+/// (log-Euclidean mean \cgalCite{afpa-lem-06}), so that the result is positive definite and lies
 /// between the three. A point outside of the background gets the tensor of the nearest point of the
 /// background.
 ///
@@ -54,6 +54,7 @@ public:
   {}
 
   /// returns the interpolated tensor at `p`.
+  /// \pre the coordinates of `p` are finite.
   Metric_tensor operator()(const Point_2& p) const
   {
     const auto place = m_data->locator.locate(p);

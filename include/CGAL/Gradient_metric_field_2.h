@@ -93,6 +93,11 @@ private:
 ///
 /// returns the metric field of the function whose gradient `gradient(p)` gives;
 /// `K` is to be named, as in `make_gradient_metric_field_2<K>(gradient, alpha, error)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Gradient as for `Gradient_metric_field_2`
+/// \param gradient,alpha,error,norm as for the constructor of `Gradient_metric_field_2`
+/// \return the field
 template <class K, class Gradient>
 Gradient_metric_field_2<K, Gradient>
 make_gradient_metric_field_2(Gradient gradient, double alpha, double error,

@@ -115,6 +115,11 @@ private:
 ///
 /// returns the metric field of the function whose Hessian `hessian(p)` gives;
 /// `K` is to be named, as in `make_hessian_metric_field_2<K>(hessian, error, least_size, largest_size)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Hessian as for `Hessian_metric_field_2`
+/// \param hessian,error,least_size,largest_size,norm as for the constructor of `Hessian_metric_field_2`
+/// \return the field
 template <class K, class Hessian>
 Hessian_metric_field_2<K, Hessian>
 make_hessian_metric_field_2(Hessian hessian, double error, double least_size, double largest_size,

@@ -50,6 +50,11 @@ private:
 ///
 /// returns the metric field of the sizes that `size(p)` gives; `K` is to be
 /// named, as in `make_isotropic_metric_field_2<K>(size)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Size as for `Isotropic_metric_field_2`
+/// \param size the size at a point, in units of the coordinates
+/// \return the field
 template <class K, class Size>
 Isotropic_metric_field_2<K, Size> make_isotropic_metric_field_2(Size size)
 {

@@ -120,6 +120,12 @@ private:
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// returns the metric that `surface` induces from `metric`.
+///
+/// \tparam Surface a model of `ParametricSurface_3`
+/// \tparam Metric as for `Surface_metric_field_2`
+/// \param surface the surface
+/// \param metric the metric of the space
+/// \return the metric of the parameters
 template <class Surface, class Metric>
 Surface_metric_field_2<Surface, Metric> make_surface_metric_field_2(Surface surface, Metric metric)
 {

@@ -24,11 +24,11 @@ namespace CGAL {
 ///
 /// a surface of triangles with the topology of a disc, in parameters that distort it little.
 ///
-/// The parameters are found by the *as rigid as possible* method of CGAL's package for the parametrization of
-/// surface meshes, with a free border, or, where that folds over, by mean value coordinates in a circle. Points are
-/// on the triangles, up to rounding, so that a mesh made of this surface has its vertices there. The first
+/// The parameters are found by the *as rigid as possible* method \cgalCite{lzxgg-lgamp-08} of CGAL's package for the
+/// parametrization of surface meshes, with a free border, or, where that folds over, by mean value coordinates
+/// \cgalCite{f-mvc-03} in a circle. Points are on the triangles, up to rounding, so that a mesh made of this surface has its vertices there. The first
 /// derivatives are constant on each triangle. The second ones tell the curvature that a cubic polynomial, fitted to
-/// the vertices around, has at each vertex, linear in between.
+/// the vertices around \cgalCite{cp-edqpf-05}, has at each vertex, linear in between.
 ///
 /// Parameters outside of the `domain()` stand for the nearest ones within.
 ///
@@ -113,7 +113,8 @@ public:
   /// The border is divided into curves at its corners. These become vertices of a mesh; all others
   /// of the border lie on its edges, up to rounding. With a `corner_angle` of 0 each vertex of the border is kept.
   /// \param corner_angle vertices where the border turns by more than this angle, in space, are corners, in radians;
-  /// those where it turns by more than 0.2 in the plane of parameters are too.
+  /// those where it turns by more than 0.2 in the plane of parameters, or by more than `corner_angle` if that is
+  /// less, are too.
   Anisotropic_mesh_domain_2<K> domain(double corner_angle = 0.5) const
   {
     Anisotropic_mesh_domain_2<K> result;

@@ -18,7 +18,7 @@ namespace Anisotropic_mesh_2 {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the Euclidean distance times a weight of the generator, for comparison
-/// (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are circles and lines.
+/// (\cgalCite{obsc-st-00}, section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are circles and lines.
 ///
 /// \tparam Weight a functor from vertex handles to positive numbers
 ///
