@@ -57,9 +57,13 @@ public:
   /// @{
 
   /// the data structure, which vertices and faces belong to.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Tds;
+#else
   typedef typename Default::Get<Tds_, Triangulation_data_structure_2<
                                         Anisotropic_mesh_vertex_base_2<Gt>,
                                         Anisotropic_mesh_face_base_2<Gt> > >::type  Tds;
+#endif
   /// the base class: the triangulation that knows of no domain.
   typedef Constrained_anisotropic_Delaunay_triangulation_2<Gt, Tds>               Triangulation_kernel;
 
@@ -78,13 +82,19 @@ public:
   /// `Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>::Region`s. A segment has the indices `source` and
   /// `target` of its points, the integer `reference`, and the flag `is_boundary`: whether crossing it toggles
   /// between outside and inside.
-  typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel>                   Boundary_mesh;
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Boundary_mesh;
+#else
+  typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel> Boundary_mesh;
+#endif
   /// @}
 
+  /// \cond SKIP_IN_MANUAL
   using Triangulation_kernel::ccw;
   using Triangulation_kernel::cw;
   using Triangulation_kernel::insert;
   using Triangulation_kernel::insert_constraint;
+  /// \endcond
 
   /// \name Creation
   /// @{
@@ -106,7 +116,6 @@ public:
                               Edge_mark{s.reference, s.is_boundary});
     mark_domain();
   }
-  /// @}
 
   /// the mesh of the fixed vertices and the constrained edges alone, with the
   /// same indices, references and domain: the stored empty mesh of section 4
@@ -145,6 +154,7 @@ public:
     std::swap(m_edge_marks, other.m_edge_marks);
     std::swap(m_regions, other.m_regions);
   }
+  /// @}
 
   /// \name Domain
   /// @{
@@ -208,6 +218,9 @@ public:
   }
   /// @}
 
+  /// \name Insertion
+  /// @{
+
   /// whether a point that `locate()` has found there lies inside of the domain
   /// and neither on a vertex nor on a constrained edge.
   bool is_field_point(Locate_type lt, Face_handle f, int li) const
@@ -242,6 +255,7 @@ public:
     mark_star(v, [&](Face_handle) { return mark; });
     return v;
   }
+  /// @}
 
 private:
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel> Graph;

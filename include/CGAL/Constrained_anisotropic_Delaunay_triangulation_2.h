@@ -71,11 +71,19 @@ public:
   /// @{
 
   /// the data structure, which vertices and faces belong to.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Tds;
+#else
   typedef typename Default::Get<Tds_, Triangulation_data_structure_2<
                                         Anisotropic_mesh_vertex_base_2<Gt>,
                                         Constrained_triangulation_face_base_2<Gt> > >::type  Tds;
+#endif
   /// what to do about intersecting constraints.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Itag;
+#else
   typedef typename Default::Get<Itag_, No_constraint_intersection_requiring_constructions_tag>::type Itag;
+#endif
   /// the base class.
   typedef Constrained_triangulation_2<Gt, Tds, Itag>  Constrained_triangulation;
 
@@ -92,6 +100,7 @@ public:
   typedef typename Constrained_triangulation::size_type        size_type;       ///< a number of items
   /// @}
 
+  /// \cond SKIP_IN_MANUAL
   using Constrained_triangulation::ccw;
   using Constrained_triangulation::cw;
   using Constrained_triangulation::dimension;
@@ -105,6 +114,7 @@ public:
   using Constrained_triangulation::mirror_index;
   using Constrained_triangulation::number_of_vertices;
   using Constrained_triangulation::orientation;
+  /// \endcond
 
   /// \name Creation
   /// @{
@@ -506,6 +516,9 @@ public:
   }
   /// @}
 
+  /// \name Checking
+  /// @{
+
   /// checks the triangulation.
   ///
   /// \param verbose whether the first defect is written to `std::cerr`.
@@ -525,6 +538,7 @@ public:
     typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Constrained_anisotropic_Delaunay_triangulation_2> Checker;
     return Checker(*this).is_valid(verbose, level);
   }
+  /// @}
 
   /// \cond SKIP_IN_MANUAL
 protected:

@@ -73,7 +73,11 @@ public:
   /// with the same arguments, for experiments: `by_doubles()` (if the coordinates
   /// are doubles) and `by_intervals()` return an `Uncertain<Oriented_side>`,
   /// `exactly()` an `Oriented_side`.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Side_of_metric_circle_2;
+#else
   typedef typename Select_side<K, K::Has_filtered_predicates>::type  Side_of_metric_circle_2;
+#endif
 
   /// evaluates the field.
   class Construct_metric_tensor_2

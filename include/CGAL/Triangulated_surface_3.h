@@ -24,7 +24,7 @@ namespace CGAL {
 ///
 /// a surface of triangles with the topology of a disc, in parameters that distort it little.
 ///
-/// The parameters are found by the *as rigid as possible* method \cgalCite{lzxgg-lgamp-08} of CGAL's package for the
+/// The parameters are found by the *as rigid as possible* method \cgalCite{lzxgg-lgamp-08} of \cgal's package for the
 /// parametrization of surface meshes, with a free border, or, where that folds over, by mean value coordinates
 /// \cgalCite{f-mvc-03} in a circle. Points are on the triangles, up to rounding, so that a mesh made of this surface has its vertices there. The first
 /// derivatives are constant on each triangle. The second ones tell the curvature that a cubic polynomial, fitted to

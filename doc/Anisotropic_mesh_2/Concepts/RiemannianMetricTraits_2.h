@@ -49,9 +49,8 @@ public:
   /// \name Predicates
   /// @{
 
-  /// provides `CGAL::Oriented_side operator()(Point_2 a, Point_2 b, Point_2 c, Point_2 p,
-  /// Metric_tensor_2 ma, Metric_tensor_2 mb, Metric_tensor_2 mc, Metric_tensor_2 mp)`.
-  /// For the counterclockwise triangle `abc` it returns `ON_POSITIVE_SIDE`,
+  /// provides `CGAL::Oriented_side operator()(a, b, c, p, ma, mb, mc, mp)` of four `Point_2` and four
+  /// `Metric_tensor_2`. For the counterclockwise triangle `abc` it returns `ON_POSITIVE_SIDE`,
   /// `ON_ORIENTED_BOUNDARY` or `ON_NEGATIVE_SIDE` as the product
   /// \f$ \alpha_{M(p)} \alpha_{M(a)} \alpha_{M(b)} \alpha_{M(c)} \f$ of the Delaunay
   /// measures is less than, equal to or greater than 1 (section 3.1 of \cgalCite{dw-acvt-05}).
