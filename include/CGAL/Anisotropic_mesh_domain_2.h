@@ -27,7 +27,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// A domain of the plane, bounded by closed loops of curve pieces, with inner
-/// curves that become edges of its mesh.
+/// curves that become edges of its mesh (the input of section 3.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The `rule()` tells inside from outside. By default, crossing a loop toggles
 /// (even-odd), so that a loop within another one is a hole; with the first call

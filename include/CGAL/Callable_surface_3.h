@@ -18,7 +18,8 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the parametric surface of any function, which is differentiated numerically.
+/// the parametric surface of any function, which is differentiated numerically
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// On a torus, first derivatives err by up to 1.3e-12 of their length inside of the range of parameters and
 /// by 4e-12 at a side of it, second ones by 3e-10 inside and 5e-8 at a side. A function with details much

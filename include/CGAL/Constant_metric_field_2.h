@@ -13,7 +13,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the metric field that has the same tensor everywhere.
+/// the metric field that has the same tensor everywhere, uniform in section 2.2 of \cgalCite{dw-acvt-05}.
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{MetricField_2}

@@ -25,7 +25,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// A piece of a curve in the plane: a segment, an arc of a circle, or any
-/// parametrized curve, with an integer reference.
+/// parametrized curve, with an integer reference (a curved segment in section 3.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The piece is followed by a parameter that runs from 0 at the source to 1 at
 /// the target. The two end points are stored, so that consecutive pieces can

@@ -16,7 +16,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the metric field of an isotropic size that depends on the place.
+/// the metric field of an isotropic size that depends on the place (section 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \tparam Size a functor `FT(const K::Point_2&)`, copyable and callable from several threads

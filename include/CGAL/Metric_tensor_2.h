@@ -63,6 +63,7 @@ public:
 
   /// the tensor `m` of another kernel, its entries converted one by one.
   /// Nothing is checked anew.
+  /// \tparam K2 the other kernel
   /// \tparam Converter a function object from the entries of `m` to `FT`.
   template <class K2, class Converter>
   Metric_tensor_2(const Metric_tensor_2<K2>& m, const Converter& convert)
@@ -101,7 +102,8 @@ public:
   static Metric_tensor_2 from_size(const FT& h) { return from_sizes(h, h); }
 
   /// the tensor whose matrix logarithm has the entries `l`, in the order of `logarithm()`.
-  /// \throw Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of numbers.
+  /// \throw Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of
+  /// numbers.
   static Metric_tensor_2 from_logarithm(const std::array<double, 3>& l)
   {
     const double mean = (l[0] + l[2]) / 2, radius = std::hypot((l[0] - l[2]) / 2, l[1]);

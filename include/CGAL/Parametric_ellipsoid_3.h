@@ -21,7 +21,7 @@ namespace CGAL {
 /// the ellipsoid
 /// \f$ \sigma(u, v) = (a \cos v \cos u, b \cos v \sin u, c \sin v) \f$, where the
 /// longitude u has the period \f$ 2 \pi \f$, and the latitude v goes from the pole at
-/// \f$ -\pi/2 \f$ to the one at \f$ \pi/2 \f$.
+/// \f$ -\pi/2 \f$ to the one at \f$ \pi/2 \f$ (figure 5.4 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{ParametricSurface_3}

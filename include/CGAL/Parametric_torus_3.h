@@ -20,7 +20,7 @@ namespace CGAL {
 ///
 /// the torus around the z-axis,
 /// \f$ \sigma(u, v) = ((R + r \cos v) \cos u, (R + r \cos v) \sin u, r \sin v) \f$,
-/// where u and v have the period \f$ 2 \pi \f$.
+/// where u and v have the period \f$ 2 \pi \f$ (figure 5.6 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{ParametricSurface_3}

@@ -19,7 +19,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the graph \f$ \sigma(u, v) = (u, v, a u^2 + b v^2) \f$: a paraboloid if `a` and
-/// `b` have the same sign, a saddle if not.
+/// `b` have the same sign, a saddle if not (figures 5.5 and 5.7 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{ParametricSurface_3}

@@ -22,13 +22,15 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// a surface of triangles with the topology of a disc, in parameters that distort it little.
+/// a surface of triangles with the topology of a disc, in parameters that distort it little
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The parameters are found by the *as rigid as possible* method \cgalCite{lzxgg-lgamp-08} of \cgal's package for the
 /// parametrization of surface meshes, with a free border, or, where that folds over, by mean value coordinates
-/// \cgalCite{f-mvc-03} in a circle. Points are on the triangles, up to rounding, so that a mesh made of this surface has its vertices there. The first
-/// derivatives are constant on each triangle. The second ones tell the curvature that a cubic polynomial, fitted to
-/// the vertices around \cgalCite{cp-edqpf-05}, has at each vertex, linear in between.
+/// \cgalCite{f-mvc-03} in a circle. Points are on the triangles, up to rounding, so that a mesh made of this
+/// surface has its vertices there. The first derivatives are constant on each triangle. The second ones tell the
+/// curvature that a cubic polynomial, fitted to the vertices around \cgalCite{cp-edqpf-05}, has at each vertex,
+/// linear in between.
 ///
 /// Parameters outside of the `domain()` stand for the nearest ones within.
 ///

@@ -25,7 +25,8 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the metric of the space that interpolates tensors given at the vertices of a triangulated surface.
+/// the metric of the space that interpolates tensors given at the vertices of a triangulated surface
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// In a triangle, the matrix logarithms of the three tensors are interpolated linearly, as by
 /// `Discrete_metric_field_2`. Copies share their data and are cheap.

@@ -50,7 +50,8 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// a hundred iterations of Lloyd in ten to fifteen. A step is shortened if the energy after it
 /// exceeds that of the last eight iterates \cgalCite{gll-nls-86}, and so are moves that would invert a face. The
 /// triangulation is updated in place by flips. An iteration takes time linear in the number of vertices
-/// with the default `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's iteration as an open problem.
+/// with the default `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's
+/// iteration as an open problem.
 ///
 /// At the end, faces of low quality are improved if the measure is the
 /// Riemannian one: where the tessellation of least energy has badly shaped faces, next to pairs of vertices of

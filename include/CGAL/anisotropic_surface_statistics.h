@@ -217,7 +217,8 @@ private:
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
-/// measures a mesh of a surface in the metric of the space, and how close it is to the surface.
+/// measures a mesh of a surface in the metric of the space, and how close it is to the surface
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// Metric and surface are evaluated a few dozen times per vertex, more often where the metric varies much.
 ///

@@ -18,8 +18,9 @@ namespace CGAL {
 /// Voronoi regions, again and again (section 4 of \cgalCite{dw-acvt-05}).
 ///
 /// After each iteration all vertices are inserted anew into the stored empty
-/// mesh. An iteration takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices of a mesh of good quality. Vertices on constrained edges stay where they are. Vertices keep their
+/// mesh. Vertices on constrained edges stay where they are. Vertices keep their
 /// indices, handles to vertices and faces do not stay valid.
+/// An iteration takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices of a mesh of good quality.
 ///
 /// `acvt_optimize_mesh_2()` reaches the same energy in a fraction of the
 /// iterations; this function is the reference.

@@ -18,7 +18,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the curvatures of a surface at a point, positive where the surface bends to
-/// the side of its normal.
+/// the side of its normal (formula (5.2) of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \sa `principal_curvatures_3()`

@@ -17,7 +17,7 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// figures of how good a mesh is in its metric.
+/// figures of how good a mesh is in its metric (section 5.1 of \cgalCite{dw-acvt-05}).
 ///
 /// The quality of a triangle \f$ T \f$ with the edges \f$ e_i \f$ in a tensor \f$ M \f$ is
 /// \f$ 4 \sqrt 3 \sqrt{\det M} |T| / \sum_i e_i^T M e_i \f$: 1 if it is equilateral in \f$ M \f$, else less, and
@@ -34,7 +34,7 @@ struct Mesh_statistics
   double edge_length_unit_share = 0;   ///< the share of edges with lengths in \f$ [\sqrt{1/2}, \sqrt 2] \f$, at most 1
   double quality_mean = 0;             ///< qualities with the tensor at the barycentre: their mean
   double quality_min = 0;              ///< the least of them
-  double quality_min3_mean = 0;        ///< for each triangle the least quality with the tensors at its vertices: the mean
+  double quality_min3_mean = 0;        ///< the least qualities of triangles with the tensors at their vertices: the mean
   double quality_min3_min = 0;         ///< the least of these
   double energy = 0;                   ///< of the anisotropic Voronoi tessellation, in the measure asked for
   double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect

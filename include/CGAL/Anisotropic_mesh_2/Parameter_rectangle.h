@@ -14,7 +14,8 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the range of the parameters of a surface, and how its sides are glued.
+/// the range of the parameters of a surface (\f$ \Omega \f$ in section 5.2 of \cgalCite{dw-acvt-05}), and how its
+/// sides are glued.
 struct Parameter_rectangle
 {
   double u_min = 0, ///< the left side

@@ -18,7 +18,7 @@ namespace Anisotropic_mesh_2 {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// figures of how good a mesh of a surface is, in the metric of the space at the surface
-/// and as an approximation of the surface.
+/// and as an approximation of the surface (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// Lengths are those of the straight edges in space, qualities those of the flat triangles
 /// \f$ T \f$ there, \f$ 4 \sqrt 3 |T|_M / \sum_i e_i^T M e_i \f$. Tessellation and mass centres are those in

@@ -16,7 +16,9 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the region of a vertex of a mesh of a surface, on the surface.
+/// the region of a vertex of a mesh of a surface, on the surface (section 5.2 of \cgalCite{dw-acvt-05}).
+///
+/// \sa `CGAL::anisotropic_surface_voronoi_regions()`
 ///
 /// \tparam K a model of `Kernel`
 template <class K>

@@ -16,7 +16,8 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// a curve along which the regions of two generators meet, as a polygonal line.
+/// a curve along which the regions of two generators meet, as a polygonal line
+/// (definition 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
 template <class K>

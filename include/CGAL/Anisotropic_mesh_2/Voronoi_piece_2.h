@@ -14,7 +14,8 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// a connected part of the region of a generator.
+/// a connected part of the region of a generator: a main or an orphan subregion in section 2.3 of
+/// \cgalCite{dw-acvt-05}.
 ///
 /// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
 template <class K>
