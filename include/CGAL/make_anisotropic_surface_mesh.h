@@ -93,7 +93,7 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 /// \throw Degenerate_parametrization_exception if the surface has no tangent plane at a point other than a pole.
 /// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
-/// \throw Invalid_domain_exception if the sizes are so large that less than three edges would lead
+/// \throw Invalid_domain_exception if the sizes are so large that somewhere less than three edges would lead
 /// around a closed surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_surface_mesh_3<Field>

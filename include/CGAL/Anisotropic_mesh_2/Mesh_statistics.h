@@ -34,13 +34,13 @@ struct Mesh_statistics
   double edge_length_unit_share = 0;   ///< the share of edges with lengths in \f$ [\sqrt{1/2}, \sqrt 2] \f$, at most 1
   double quality_mean = 0;             ///< qualities with the tensor at the barycentre: their mean
   double quality_min = 0;              ///< the least of them
-  double quality_min3_mean = 0;        ///< the least qualities of triangles with the tensors at their vertices: the mean
+  double quality_min3_mean = 0;        ///< the least qualities of triangles with the tensors at the vertices: the mean
   double quality_min3_min = 0;         ///< the least of these
   double energy = 0;                   ///< of the anisotropic Voronoi tessellation, in the measure asked for
   double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect
   double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre
 
-  /// calls `visit(name, value)` for each figure in the order above.
+  /// calls `visit(name, value)` for each figure, from `vertices` to `gradient_norm`.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const

@@ -33,7 +33,7 @@ struct Surface_mesh_statistics
   double normal_deviation_mean = 0;    ///< from the normal of the surface, at barycentres, in radians
   double normal_deviation_max = 0;     ///< the largest of these angles
 
-  /// calls `visit(name, value)` for each figure, those of `Mesh_statistics` before those above.
+  /// calls `visit(name, value)` for each figure, those of `Mesh_statistics` first.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const

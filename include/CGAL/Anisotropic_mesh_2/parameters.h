@@ -30,7 +30,8 @@ struct topological_moves_t {};
 /// the named parameters of this package that \cgal does not have. Each begins a
 /// chain, `p::measure(m).number_of_iterations(50)`, or continues one,
 /// `p::measure(m, p::convergence(1e-4))`. The names that \cgal has as well
-/// (`number_of_iterations`, `maximum_running_time`, `visitor`) may follow a dot.
+/// (`number_of_iterations`, `maximum_running_time`, `visitor`) may follow a dot. What they mean, and their defaults:
+/// \ref AnisotropicMesh2NamedParameters.
 namespace parameters {
 
 /// what a function for a named parameter returns: a list of parameters that begins with it.
@@ -60,7 +61,7 @@ Chained_parameter<Value, internal::energy_reduction_t, T, Tag, Base>
 energy_reduction(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::energy_reduction_t, T, Tag, Base>(v, np); }
 
-/// the `Measure` of energies and mass centres.
+/// the `CGAL::Anisotropic_mesh_2::Measure` of energies and mass centres.
 template <class Value>
 Parameter<Value, internal::measure_t> measure(const Value& v)
 { return Parameter<Value, internal::measure_t>(v); }
@@ -90,7 +91,7 @@ Chained_parameter<Value, internal::keep_boundary_points_t, T, Tag, Base>
 keep_boundary_points(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::keep_boundary_points_t, T, Tag, Base>(v, np); }
 
-/// the `Point_placement` of unit meshing.
+/// the `CGAL::Anisotropic_mesh_2::Point_placement` of unit meshing.
 template <class Value>
 Parameter<Value, internal::point_placement_t> point_placement(const Value& v)
 { return Parameter<Value, internal::point_placement_t>(v); }
@@ -100,7 +101,7 @@ Chained_parameter<Value, internal::point_placement_t, T, Tag, Base>
 point_placement(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::point_placement_t, T, Tag, Base>(v, np); }
 
-/// the `Region_evaluation` of an optimizer.
+/// the `CGAL::Anisotropic_mesh_2::Region_evaluation` of an optimizer.
 template <class Value>
 Parameter<Value, internal::region_evaluation_t> region_evaluation(const Value& v)
 { return Parameter<Value, internal::region_evaluation_t>(v); }
