@@ -33,46 +33,80 @@ namespace CGAL {
 /// optimization leave its vertices and edges as they are.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
-/// \tparam Tds a model of `TriangulationDataStructure_2` whose vertices model
-/// `AnisotropicMeshVertexBase_2` and whose faces model `AnisotropicMeshFaceBase_2`.
+/// \tparam Tds_ a model of `TriangulationDataStructure_2` whose vertices model
+/// `AnisotropicMeshVertexBase_2` and whose faces model `AnisotropicMeshFaceBase_2`; by default
+/// `Triangulation_data_structure_2<Anisotropic_mesh_vertex_base_2<Gt>, Anisotropic_mesh_face_base_2<Gt> >`.
+///
+/// \sa `make_anisotropic_mesh_2()`
+/// \sa `refine_anisotropic_mesh_2()`
+/// \sa `acvt_optimize_mesh_2()`
 template <class Gt, class Tds_ = Default>
 class Anisotropic_Delaunay_mesh_2
+#ifdef DOXYGEN_RUNNING
+  : public Constrained_anisotropic_Delaunay_triangulation_2<Gt, Tds_>
+#else
   : public Constrained_anisotropic_Delaunay_triangulation_2<
       Gt,
       typename Default::Get<Tds_, Triangulation_data_structure_2<
                                     Anisotropic_mesh_vertex_base_2<Gt>,
                                     Anisotropic_mesh_face_base_2<Gt> > >::type>
+#endif
 {
 public:
+  /// \name Types
+  /// @{
+
+  /// the data structure, which vertices and faces belong to.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Tds;
+#else
   typedef typename Default::Get<Tds_, Triangulation_data_structure_2<
                                         Anisotropic_mesh_vertex_base_2<Gt>,
                                         Anisotropic_mesh_face_base_2<Gt> > >::type  Tds;
+#endif
+  /// the base class: the triangulation that knows of no domain.
   typedef Constrained_anisotropic_Delaunay_triangulation_2<Gt, Tds>               Triangulation_kernel;
 
-  typedef typename Gt::Kernel                                                     Kernel;
-  typedef typename Gt::Metric_tensor_2                                            Metric_tensor_2;
-  typedef typename Triangulation_kernel::Point                                    Point;
-  typedef typename Triangulation_kernel::Edge                                     Edge;
-  typedef typename Triangulation_kernel::Vertex_handle                            Vertex_handle;
-  typedef typename Triangulation_kernel::Face_handle                              Face_handle;
-  typedef typename Triangulation_kernel::Face_circulator                          Face_circulator;
-  typedef typename Triangulation_kernel::Locate_type                              Locate_type;
-  typedef typename Triangulation_kernel::Cavity                                   Cavity;
-  typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel>                   Boundary_mesh;
+  typedef typename Gt::Kernel                            Kernel;          ///< that of the traits
+  typedef typename Gt::Metric_tensor_2                   Metric_tensor_2; ///< a tensor of the field
+  typedef typename Triangulation_kernel::Point           Point;           ///< a point
+  typedef typename Triangulation_kernel::Edge            Edge;            ///< a face and an index in it
+  typedef typename Triangulation_kernel::Vertex_handle   Vertex_handle;   ///< a vertex
+  typedef typename Triangulation_kernel::Face_handle     Face_handle;     ///< a face
+  typedef typename Triangulation_kernel::Face_circulator Face_circulator; ///< goes around a vertex
+  typedef typename Triangulation_kernel::Locate_type     Locate_type;     ///< where a point has been found
+  typedef typename Triangulation_kernel::Cavity          Cavity;          ///< what an insertion replaces
 
+  /// a straight graph that bounds a domain, whose edges meet in common points only. Its members are the vectors
+  /// `points` of `Point`s, pairwise different, `segments`, and `regions` of
+  /// `Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>::Region`s. A segment has the indices `source` and
+  /// `target` of its points, the integer `reference`, and the flag `is_boundary`: whether crossing it toggles
+  /// between outside and inside.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Boundary_mesh;
+#else
+  typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel> Boundary_mesh;
+#endif
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
   using Triangulation_kernel::ccw;
   using Triangulation_kernel::cw;
   using Triangulation_kernel::insert;
   using Triangulation_kernel::insert_constraint;
+  /// \endcond
 
   /// \name Creation
   /// @{
 
+  /// the empty mesh under the metric field of `gt`.
   explicit Anisotropic_Delaunay_mesh_2(const Gt& gt = Gt()) : Triangulation_kernel(gt) {}
 
-  /// inserts the vertices and edges of a boundary mesh and marks the domain.
+  /// inserts the vertices and edges of a boundary mesh, by `spatial_sort()` of its points, and marks the domain.
+  /// The references of its regions are kept for later calls of `mark_domain()`.
   /// \throw CGAL::Constrained_triangulation_2::Intersection_of_constraints_exception
   /// if edges cross.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a point.
   void insert_boundary(const Boundary_mesh& boundary)
   {
     m_regions = boundary.regions;
@@ -82,7 +116,6 @@ public:
                               Edge_mark{s.reference, s.is_boundary});
     mark_domain();
   }
-  /// @}
 
   /// the mesh of the fixed vertices and the constrained edges alone, with the
   /// same indices, references and domain: the stored empty mesh of section 4
@@ -114,12 +147,14 @@ public:
     return result;
   }
 
+  /// exchanges the two meshes, with their traits and all they know of the domain.
   void swap(Anisotropic_Delaunay_mesh_2& other)
   {
     Triangulation_kernel::swap(other);
     std::swap(m_edge_marks, other.m_edge_marks);
     std::swap(m_regions, other.m_regions);
   }
+  /// @}
 
   /// \name Domain
   /// @{
@@ -152,6 +187,7 @@ public:
     return edges;
   }
 
+  /// the number of faces of the domain; takes time linear in the number of all faces.
   std::size_t number_of_faces_in_domain() const
   {
     std::size_t n = 0;
@@ -162,7 +198,7 @@ public:
 
   /// decides for every face whether it belongs to the domain, and to which
   /// subdomain. To be called after constraints came or went; insertion, removal
-  /// and relocation of vertices keep the marks.
+  /// and relocation of vertices keep the marks. Takes time linear in the number of faces.
   void mark_domain()
   {
     for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
@@ -182,6 +218,9 @@ public:
   }
   /// @}
 
+  /// \name Insertion
+  /// @{
+
   /// whether a point that `locate()` has found there lies inside of the domain
   /// and neither on a vertex nor on a constrained edge.
   bool is_field_point(Locate_type lt, Face_handle f, int li) const
@@ -193,6 +232,7 @@ public:
 
   /// inserts a point of the domain whose cavity is known; the new faces belong
   /// to the subdomain of the old ones.
+  /// \pre `is_field_point()` holds where `p` lies, and `cavity` is what `find_cavity()` has found.
   Vertex_handle insert_field_point(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
   {
     const Face_mark mark(cavity.faces.front());
@@ -215,6 +255,7 @@ public:
     mark_star(v, [&](Face_handle) { return mark; });
     return v;
   }
+  /// @}
 
 private:
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel> Graph;

@@ -57,9 +57,9 @@ namespace CGAL {
 /// For a smooth metric and a mesh of good quality, the construction takes
 /// \f$ O(n \log n) \f$ time with few evaluations of the field per face.
 ///
-/// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
-/// \tparam Distance a model of `VoronoiDistance_2`.
-/// \tparam ConcurrencyTag enables sequential or parallel construction: `Sequential_tag`, `Parallel_tag` or
+/// \tparam Mesh_ an instance of `Anisotropic_Delaunay_mesh_2`.
+/// \tparam Distance_ a model of `VoronoiDistance_2`.
+/// \tparam ConcurrencyTag_ enables sequential or parallel construction: `Sequential_tag`, `Parallel_tag` or
 /// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field, but not the distance, from
 /// several threads at the same time. The diagram is the same to the bit; with every tag several
 /// threads may call its members at the same time.
@@ -68,16 +68,19 @@ template <class Mesh_, class Distance_ = Anisotropic_mesh_2::Directional_distanc
 class Anisotropic_Voronoi_diagram_2
 {
 public:
-  typedef Mesh_                                                          Mesh;
-  typedef Distance_                                                      Distance;
-  typedef ConcurrencyTag_                                                ConcurrencyTag;
-  typedef typename Mesh::Kernel                                          Kernel;
-  typedef typename Mesh::Point                                           Point_2;
-  typedef typename Mesh::Vertex_handle                                   Vertex_handle;
-  typedef Anisotropic_mesh_2::Voronoi_region_2<Kernel, Vertex_handle>    Region;
-  typedef Anisotropic_mesh_2::Voronoi_piece_2<Kernel>                    Piece;
-  typedef Anisotropic_mesh_2::Voronoi_bisector_2<Kernel>                 Bisector;
-  typedef Anisotropic_mesh_2::Region_integrals_2<Kernel>                 Integrals;
+  /// \name Types
+  /// @{
+  typedef Mesh_                                                          Mesh;           ///< the mesh
+  typedef Distance_                                                      Distance;       ///< the distance
+  typedef ConcurrencyTag_                                                ConcurrencyTag; ///< the tag
+  typedef typename Mesh::Kernel                                          Kernel;         ///< that of the mesh
+  typedef typename Mesh::Point                                           Point_2;        ///< a point
+  typedef typename Mesh::Vertex_handle                                   Vertex_handle;  ///< a generator in the mesh
+  typedef Anisotropic_mesh_2::Voronoi_region_2<Kernel, Vertex_handle>    Region;         ///< a region
+  typedef Anisotropic_mesh_2::Voronoi_piece_2<Kernel>                    Piece;          ///< a part of a region
+  typedef Anisotropic_mesh_2::Voronoi_bisector_2<Kernel>                 Bisector;       ///< a curve between regions
+  typedef Anisotropic_mesh_2::Region_integrals_2<Kernel>                 Integrals;      ///< over a region
+  /// @}
 
   /// \name Creation
   /// @{
@@ -87,7 +90,8 @@ public:
   /// \param mesh the mesh, with its domain marked.
   /// \param distance the distance from points to generators.
   /// \param tolerance how far bisectors may be from where they should be,
-  /// relative to the distance to their generators; between 10<sup>-9</sup> and 0.1.
+  /// relative to the distance to their generators.
+  /// \pre `tolerance` lies between 10<sup>-9</sup> and 0.1.
   /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
   explicit Anisotropic_Voronoi_diagram_2(const Mesh& mesh, const Distance& distance = Distance(),
                                          double tolerance = 1e-4)
@@ -109,15 +113,18 @@ public:
   /// \name Regions
   /// @{
 
+  /// the number of vertices of the domain.
   std::size_t number_of_regions() const { return m_regions.size(); }
 
   /// the regions of the vertices of the domain, in the order of the mesh.
   const std::vector<Region>& regions() const { return m_regions; }
 
+  /// the region with the index `i`.
   /// \pre `i < number_of_regions()`
   const Region& region(std::size_t i) const { return m_regions[i]; }
 
-  /// the index of the region of a vertex of the domain.
+  /// the index of the region of a vertex.
+  /// \pre `v` is a vertex of a face of the domain.
   std::size_t index(Vertex_handle v) const { return m_generators.numbers()[v->index()]; }
 
   /// the curves between the regions.
@@ -128,6 +135,8 @@ public:
 
   /// the index of the region to which `p` belongs, the least one if there are
   /// several; decided by the distances to the generators alone, without the regions.
+  /// \pre `number_of_regions() > 0`
+  /// \throw Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
   std::size_t nearest_generator(const Point_2& p) const
   {
     CGAL_precondition(number_of_regions() > 0);
@@ -135,6 +144,7 @@ public:
   }
 
   /// the squared distance from `p` to the generator of region `i`.
+  /// \throw Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
     return m_generators.set().squared_distance(place_at(p), i);
@@ -150,6 +160,8 @@ public:
   /// \param i the index of the region
   /// \param measure whether areas are weighted by the root of the determinant of the tensor
   /// \param tolerance of the mass centre, relative to the root mean square distance to the generator
+  /// \return the integrals, with a bound of the error of the mass centre
+  /// \throw Invalid_metric_tensor_exception if the field fails at a point of the region.
   Integrals integrals(std::size_t i,
                       Anisotropic_mesh_2::Measure measure = Anisotropic_mesh_2::Measure::RIEMANNIAN,
                       double tolerance = 1e-4) const
@@ -167,7 +179,8 @@ public:
     return result;
   }
 
-  /// compares the edges of the triangulation with the neighbors of regions.
+  /// compares the edges of the triangulation with the neighbors of regions (definition 2.3 of
+  /// \cgalCite{dw-acvt-05}); takes \f$ O(n \log n) \f$ time.
   Anisotropic_mesh_2::Voronoi_duality_2 duality() const
   {
     typedef Anisotropic_mesh_2::Voronoi_duality_2::Pair Pair;

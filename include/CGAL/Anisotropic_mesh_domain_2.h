@@ -27,7 +27,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// A domain of the plane, bounded by closed loops of curve pieces, with inner
-/// curves that become edges of its mesh.
+/// curves that become edges of its mesh (the input of section 3.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The `rule()` tells inside from outside. By default, crossing a loop toggles
 /// (even-odd), so that a loop within another one is a hole; with the first call
@@ -51,13 +51,13 @@ template <class K>
 class Anisotropic_mesh_domain_2
 {
 public:
-  typedef K                                                        Kernel;
-  typedef typename K::FT                                           FT;
-  typedef typename K::Point_2                                      Point_2;
-  typedef Curve_piece_2<K>                                         Curve_piece;
-  typedef Anisotropic_mesh_2::Domain_rule                          Domain_rule;
-  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>      Graph;
-  typedef typename Graph::Region                                   Region;
+  typedef K                                                        Kernel;      ///< the kernel
+  typedef typename K::FT                                           FT;          ///< its number type
+  typedef typename K::Point_2                                      Point_2;     ///< its points
+  typedef Curve_piece_2<K>                                         Curve_piece; ///< a piece of a curve
+  typedef Anisotropic_mesh_2::Domain_rule                          Domain_rule; ///< how inside is told
+  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>      Graph;       ///< what files hold
+  typedef typename Graph::Region                                   Region;      ///< a seed and its reference
 
 #ifndef DOXYGEN_RUNNING
   typedef std::vector<Anisotropic_mesh_2::internal::Domain_piece_2<K> >  Pieces;
@@ -103,6 +103,8 @@ public:
 
   /// adds the closed loop of segments through the given points, in any direction.
   /// \tparam PointRange a range of `Point_2`, for example `CGAL::Polygon_2<K>`
+  /// \param points the corners, the first one not repeated
+  /// \param reference the reference of the edges on the loop
   /// \throw Invalid_domain_exception if a coordinate is not finite.
   template <class PointRange>
   void add_polygon(const PointRange& points, int reference = 1)
@@ -115,6 +117,7 @@ public:
   /// adds a closed loop of curve pieces, each of which ends exactly where the
   /// next one starts.
   /// \tparam CurvePieceRange a range of `Curve_piece_2<K>`
+  /// \param pieces the pieces, in order; what does not close is reported by `validate()` and by the meshing only.
   template <class CurvePieceRange>
   void add_loop(const CurvePieceRange& pieces)
   {
@@ -123,6 +126,9 @@ public:
   }
 
   /// adds a circle.
+  /// \param center the center
+  /// \param radius the radius, in units of the coordinates
+  /// \param reference the reference of the edges on it
   /// \throw Invalid_domain_exception if an argument is not finite or the radius is not positive.
   void add_circle(const Point_2& center, const FT& radius, int reference = 1)
   {
@@ -135,6 +141,8 @@ public:
   /// adds an inner curve of segments through the given points, open unless the
   /// first point is repeated at the end.
   /// \tparam PointRange a range of `Point_2`
+  /// \param points the corners
+  /// \param reference the reference of the edges on the line
   /// \throw Invalid_domain_exception if a coordinate is not finite.
   template <class PointRange>
   void add_polyline(const PointRange& points, int reference = 1)
@@ -153,7 +161,8 @@ public:
     m_rule = Domain_rule::SEEDS;
   }
 
-  /// gives a reference to the subdomain around the seed.
+  /// gives a reference to the subdomain around the seed, that is, to the faces that are reached from it without
+  /// crossing a curve. Of several seeds in a subdomain the last one counts; without a seed the reference is 0.
   /// \throw Invalid_domain_exception if a coordinate is not finite.
   void add_region(const Point_2& seed, int reference)
   {
@@ -167,8 +176,14 @@ public:
 
   /// \name Access
   /// @{
+
+  /// how inside is told from outside: `EVEN_ODD` unless `add_hole()` or `set_rule()` was called.
   Domain_rule rule() const { return m_rule; }
+
+  /// the seeds of the holes, as they were added.
   const std::vector<Point_2>& holes() const { return m_holes; }
+
+  /// the seeds of subdomains with their references, as they were added.
   const std::vector<Region>& regions() const { return m_regions; }
 
   /// tells whether there are no curves at all.

@@ -25,29 +25,49 @@ class Anisotropic_mesh_face_base_2
   : public Fb
 {
 public:
-  typedef typename Fb::Vertex_handle   Vertex_handle;
-  typedef typename Fb::Face_handle     Face_handle;
+  typedef typename Fb::Vertex_handle   Vertex_handle; ///< a vertex
+  typedef typename Fb::Face_handle     Face_handle;   ///< a face
 
+  /// \cond SKIP_IN_MANUAL
   template <class TDS2>
   struct Rebind_TDS
   {
     typedef typename Fb::template Rebind_TDS<TDS2>::Other  Fb2;
     typedef Anisotropic_mesh_face_base_2<Gt, Fb2>          Other;
   };
+  /// \endcond
 
+  /// \name Creation
+  /// @{
+
+  /// a face outside of the domain, without vertices.
   Anisotropic_mesh_face_base_2() : Fb() {}
+
+  /// a face outside of the domain with the given vertices.
   Anisotropic_mesh_face_base_2(Vertex_handle v0, Vertex_handle v1, Vertex_handle v2) : Fb(v0, v1, v2) {}
+
+  /// a face outside of the domain with the given vertices and neighbors.
   Anisotropic_mesh_face_base_2(Vertex_handle v0, Vertex_handle v1, Vertex_handle v2,
                                Face_handle n0, Face_handle n1, Face_handle n2)
     : Fb(v0, v1, v2, n0, n1, n2)
   {}
+  /// @}
 
+  /// \name Access
+  /// @{
+
+  /// whether the face belongs to the domain.
   bool is_in_domain() const { return m_is_in_domain; }
+
+  /// sets whether the face belongs to the domain.
   void set_in_domain(bool b) { m_is_in_domain = b; }
 
-  /// the reference of the subdomain, meaningful for faces in the domain.
+  /// the reference of the subdomain, any number, meaningful for faces in the domain; 0 if none is given.
   int subdomain_index() const { return m_subdomain_index; }
+
+  /// sets the reference of the subdomain.
   void set_subdomain_index(int i) { m_subdomain_index = i; }
+  /// @}
 
 private:
   bool m_is_in_domain = false;

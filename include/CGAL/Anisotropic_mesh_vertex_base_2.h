@@ -27,29 +27,51 @@ class Anisotropic_mesh_vertex_base_2
   : public Vb
 {
 public:
-  typedef typename Gt::Metric_tensor_2   Metric_tensor_2;
-  typedef typename Vb::Point             Point;
-  typedef typename Vb::Face_handle       Face_handle;
+  typedef typename Gt::Metric_tensor_2   Metric_tensor_2; ///< a tensor of the field
+  typedef typename Vb::Point             Point;           ///< the position
+  typedef typename Vb::Face_handle       Face_handle;     ///< a face
 
+  /// \cond SKIP_IN_MANUAL
   template <class TDS2>
   struct Rebind_TDS
   {
     typedef typename Vb::template Rebind_TDS<TDS2>::Other  Vb2;
     typedef Anisotropic_mesh_vertex_base_2<Gt, Vb2>        Other;
   };
+  /// \endcond
 
+  /// \name Creation
+  /// The tensor is the identity and the index -1 until they are set.
+  /// @{
+
+  /// a vertex without position.
   Anisotropic_mesh_vertex_base_2() : Vb() {}
+
+  /// a vertex at `p`.
   explicit Anisotropic_mesh_vertex_base_2(const Point& p) : Vb(p) {}
+
+  /// a vertex at `p` with the incident face `f`.
   Anisotropic_mesh_vertex_base_2(const Point& p, Face_handle f) : Vb(p, f) {}
+
+  /// a vertex with the incident face `f`.
   explicit Anisotropic_mesh_vertex_base_2(Face_handle f) : Vb(f) {}
+  /// @}
+
+  /// \name Access
+  /// @{
 
   /// the tensor of the field at the position of the vertex.
   const Metric_tensor_2& metric_tensor() const { return m_tensor; }
+
+  /// sets the tensor; the triangulation does so when it inserts or moves the vertex.
   void set_metric_tensor(const Metric_tensor_2& m) { m_tensor = m; }
 
   /// the rank of the vertex in the order of insertion.
   int index() const { return m_index; }
+
+  /// sets the index; the triangulation does so when it inserts the vertex.
   void set_index(int i) { m_index = i; }
+  /// @}
 
 private:
   Metric_tensor_2 m_tensor;

@@ -39,21 +39,21 @@ typename boost::graph_traits<FaceGraph>::vertex_descriptor new_vertex(FaceGraph&
 ///
 /// Vertices are known by their parameters, faces by the numbers of their
 /// vertices, in counterclockwise order as seen from the side to which
-/// \f$ s_u \times s_v \f$ points. Where a parameter is periodic or has a pole,
+/// \f$ \sigma_u \times \sigma_v \f$ points. Where a parameter is periodic or has a pole,
 /// the mesh is closed.
 ///
-/// \tparam Field a model of `MetricField_2` that knows its surface, such as `Surface_metric_field_2`
+/// \tparam Field_ a model of `MetricField_2` that knows its surface, such as `Surface_metric_field_2`
 /// \sa `make_anisotropic_surface_mesh()`
 /// \sa `anisotropic_surface_statistics()`
 template <class Field_>
 class Anisotropic_surface_mesh_3
 {
 public:
-  typedef Field_                         Field;
-  typedef typename Field::Surface        Surface;
-  typedef typename Surface::Kernel       Kernel;
-  typedef typename Kernel::Point_2       Point_2;
-  typedef typename Kernel::Point_3       Point_3;
+  typedef Field_                         Field;   ///< the metric of the parameters
+  typedef typename Field::Surface        Surface; ///< the surface
+  typedef typename Surface::Kernel       Kernel;  ///< its kernel
+  typedef typename Kernel::Point_2       Point_2; ///< parameters of a vertex
+  typedef typename Kernel::Point_3       Point_3; ///< a point of space
   typedef std::array<std::size_t, 3>     Face; ///< the numbers of three vertices
 
   /// the mesh without vertices of the surface of `field`.
@@ -61,9 +61,14 @@ public:
 
   /// \name Access
   /// @{
+
+  /// the metric of the parameters, which knows the surface.
   const Field& field() const { return m_field; }
 
+  /// the number of vertices, which are numbered from 0.
   std::size_t number_of_vertices() const { return m_parameters.size(); }
+
+  /// the number of faces.
   std::size_t number_of_faces() const { return m_faces.size(); }
 
   /// the parameters of the vertex `v`; those of a pole are any that lead there.
@@ -72,6 +77,7 @@ public:
   /// the place of the vertex `v` in space.
   Point_3 point(std::size_t v) const { return m_field.surface().point(m_parameters[v]); }
 
+  /// all faces, in no particular order.
   const std::vector<Face>& faces() const { return m_faces; }
 
   /// whether each edge has a face on both sides; takes time proportional to the number of faces.
@@ -96,9 +102,10 @@ public:
     return m_parameters.size() - 1;
   }
 
+  /// adds a face, whose vertices are there.
   void add_face(const Face& f) { m_faces.push_back(f); }
 
-  /// replaces all faces, and removes the vertices that have none; the others keep their order.
+  /// replaces all faces, and removes the vertices that have none; the others keep their order, but get new numbers.
   void replace_faces(std::vector<Face> faces)
   {
     m_faces = std::move(faces);

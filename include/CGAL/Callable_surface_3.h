@@ -18,7 +18,8 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the parametric surface of any function, which is differentiated numerically.
+/// the parametric surface of any function, which is differentiated numerically
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// On a torus, first derivatives err by up to 1.3e-12 of their length inside of the range of parameters and
 /// by 4e-12 at a side of it, second ones by 3e-10 inside and 5e-8 at a side. A function with details much
@@ -33,11 +34,11 @@ template <class K, class Function>
 class Callable_surface_3
 {
 public:
-  typedef K                      Kernel;
-  typedef typename K::FT         FT;
-  typedef typename K::Point_2    Point_2;
-  typedef typename K::Point_3    Point_3;
-  typedef typename K::Vector_3   Vector_3;
+  typedef K                      Kernel;   ///< the kernel
+  typedef typename K::FT         FT;       ///< its number type
+  typedef typename K::Point_2    Point_2;  ///< a point of the parameters
+  typedef typename K::Point_3    Point_3;  ///< a point of space
+  typedef typename K::Vector_3   Vector_3; ///< a vector of space
 
   /// the surface of `function`, defined on `parameters`, outside of which it is not called, but for
   /// periodic parameters.
@@ -48,16 +49,20 @@ public:
     CGAL_precondition(parameters.is_valid());
   }
 
+  /// the rectangle of parameters.
   Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_parameters; }
 
+  /// the point with the parameters `uv`.
   Point_3 point(const Point_2& uv) const { return m_function(uv); }
 
+  /// the derivatives by u and by v.
   std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const
   {
     const Differentiator derivative(m_function, m_parameters);
     return {derivative(uv, 1, 0), derivative(uv, 0, 1)};
   }
 
+  /// the derivatives twice by u, by u and v, and twice by v.
   std::array<Vector_3, 3> second_derivatives(const Point_2& uv) const
   {
     const Differentiator derivative(m_function, m_parameters);
@@ -74,6 +79,13 @@ private:
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// returns the surface of `function`; `K` is to be named, as in `make_callable_surface_3<K>(function, parameters)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Function a functor `K::Point_3(const K::Point_2&)`, copyable and callable from several threads
+/// \param function the function
+/// \param parameters the rectangle on which it is defined
+/// \return the surface
+/// \pre `parameters.is_valid()`
 template <class K, class Function>
 Callable_surface_3<K, Function> make_callable_surface_3(Function function,
                                                         const Anisotropic_mesh_2::Parameter_rectangle& parameters)
@@ -85,7 +97,13 @@ Callable_surface_3<K, Function> make_callable_surface_3(Function function,
 ///
 /// returns the graph \f$ z = f(x, y) \f$ over a rectangle; `K` is to be named, as in
 /// `make_graph_surface_3<K>(f, parameters)`.
+///
+/// \tparam K a model of `Kernel`
 /// \tparam Height a functor `K::FT(const K::Point_2&)`, copyable and callable from several threads
+/// \param height the function \f$ f \f$
+/// \param parameters the rectangle, in x and y
+/// \return the surface, a `Callable_surface_3`
+/// \pre `parameters.is_valid()`
 template <class K, class Height>
 auto make_graph_surface_3(Height height, const Anisotropic_mesh_2::Parameter_rectangle& parameters)
 {

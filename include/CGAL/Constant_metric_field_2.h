@@ -13,7 +13,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the metric field that has the same tensor everywhere.
+/// the metric field that has the same tensor everywhere, uniform in section 2.2 of \cgalCite{dw-acvt-05}.
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{MetricField_2}
@@ -21,8 +21,8 @@ template <class K>
 class Constant_metric_field_2
 {
 public:
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field with the tensor `m`.
   explicit Constant_metric_field_2(const Metric_tensor& m = Metric_tensor()) : m_tensor(m) {}

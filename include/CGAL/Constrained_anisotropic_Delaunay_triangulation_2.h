@@ -29,7 +29,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// The generalized constrained Delaunay kernel (section 3.1 of
+/// The generalized constrained Delaunay kernel (\cgalCite{bghls-dmg-97}, section 3.1 of
 /// \cgalCite{dw-acvt-05}): a constrained triangulation in which a new point is
 /// joined to the boundary of its *cavity*, the connected set of faces that are
 /// in conflict with it under the metric tensors of the point and of the three
@@ -44,39 +44,63 @@ namespace CGAL {
 /// Where the traits decide exactly, a cavity is star-shaped by itself; where
 /// they do not, faces that the point does not see are left out of it.
 ///
+/// Members of the base class that are not listed here, such as `locate()`, ranges and circulators, are as there.
+///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
-/// \tparam Tds a model of `TriangulationDataStructure_2` whose vertices model
-/// `AnisotropicMeshVertexBase_2` and whose faces model `ConstrainedTriangulationFaceBase_2`.
-/// \tparam Itag what to do about intersecting constraints, as in `Constrained_triangulation_2`. The
-/// default refuses them; with another one `Gt` must also model `ConstrainedTriangulationTraits_2`.
+/// \tparam Tds_ a model of `TriangulationDataStructure_2` whose vertices model
+/// `AnisotropicMeshVertexBase_2` and whose faces model `ConstrainedTriangulationFaceBase_2`; by default
+/// `Triangulation_data_structure_2<Anisotropic_mesh_vertex_base_2<Gt>, Constrained_triangulation_face_base_2<Gt> >`.
+/// \tparam Itag_ what to do about intersecting constraints, as in `Constrained_triangulation_2`. The
+/// default, `No_constraint_intersection_requiring_constructions_tag`, refuses them; with another one `Gt` must
+/// also model `ConstrainedTriangulationTraits_2`.
 template <class Gt, class Tds_ = Default, class Itag_ = Default>
 class Constrained_anisotropic_Delaunay_triangulation_2
+#ifdef DOXYGEN_RUNNING
+  : public Constrained_triangulation_2<Gt, Tds_, Itag_>
+#else
   : public Constrained_triangulation_2<
       Gt,
       typename Default::Get<Tds_, Triangulation_data_structure_2<
                                     Anisotropic_mesh_vertex_base_2<Gt>,
                                     Constrained_triangulation_face_base_2<Gt> > >::type,
       typename Default::Get<Itag_, No_constraint_intersection_requiring_constructions_tag>::type>
+#endif
 {
 public:
+  /// \name Types
+  /// @{
+
+  /// the data structure, which vertices and faces belong to.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Tds;
+#else
   typedef typename Default::Get<Tds_, Triangulation_data_structure_2<
                                         Anisotropic_mesh_vertex_base_2<Gt>,
                                         Constrained_triangulation_face_base_2<Gt> > >::type  Tds;
+#endif
+  /// what to do about intersecting constraints.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Itag;
+#else
   typedef typename Default::Get<Itag_, No_constraint_intersection_requiring_constructions_tag>::type Itag;
+#endif
+  /// the base class.
   typedef Constrained_triangulation_2<Gt, Tds, Itag>  Constrained_triangulation;
 
-  typedef Gt                                                   Geom_traits;
-  typedef typename Gt::Metric_tensor_2                         Metric_tensor_2;
-  typedef typename Constrained_triangulation::Point            Point;
-  typedef typename Constrained_triangulation::Edge             Edge;
-  typedef typename Constrained_triangulation::Vertex_handle    Vertex_handle;
-  typedef typename Constrained_triangulation::Face_handle      Face_handle;
-  typedef typename Constrained_triangulation::Face_circulator  Face_circulator;
-  typedef typename Constrained_triangulation::Locate_type      Locate_type;
-  typedef typename Constrained_triangulation::List_faces       List_faces;
-  typedef typename Constrained_triangulation::List_edges       List_edges;
-  typedef typename Constrained_triangulation::size_type        size_type;
+  typedef Gt                                                   Geom_traits;     ///< the traits
+  typedef typename Gt::Metric_tensor_2                         Metric_tensor_2; ///< a tensor of the field
+  typedef typename Constrained_triangulation::Point            Point;           ///< a point
+  typedef typename Constrained_triangulation::Edge             Edge;            ///< a face and an index in it
+  typedef typename Constrained_triangulation::Vertex_handle    Vertex_handle;   ///< a vertex
+  typedef typename Constrained_triangulation::Face_handle      Face_handle;     ///< a face
+  typedef typename Constrained_triangulation::Face_circulator  Face_circulator; ///< goes around a vertex
+  typedef typename Constrained_triangulation::Locate_type      Locate_type;     ///< where a point has been found
+  typedef typename Constrained_triangulation::List_faces       List_faces;      ///< faces of a hole
+  typedef typename Constrained_triangulation::List_edges       List_edges;      ///< edges around a hole
+  typedef typename Constrained_triangulation::size_type        size_type;       ///< a number of items
+  /// @}
 
+  /// \cond SKIP_IN_MANUAL
   using Constrained_triangulation::ccw;
   using Constrained_triangulation::cw;
   using Constrained_triangulation::dimension;
@@ -90,10 +114,12 @@ public:
   using Constrained_triangulation::mirror_index;
   using Constrained_triangulation::number_of_vertices;
   using Constrained_triangulation::orientation;
+  /// \endcond
 
   /// \name Creation
   /// @{
 
+  /// the empty triangulation under the metric field of `gt`.
   explicit Constrained_anisotropic_Delaunay_triangulation_2(const Gt& gt = Gt())
     : Constrained_triangulation(gt)
   {}
@@ -116,6 +142,7 @@ public:
   }
 
   /// inserts `p` where `locate()` has found it.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at `p`.
   Vertex_handle insert(const Point& p, Locate_type lt, Face_handle f, int li)
   {
     if(lt == Constrained_triangulation::VERTEX)
@@ -141,6 +168,7 @@ public:
     return v;
   }
 
+  /// inserts `p`, so that `std::back_inserter()` takes the triangulation.
   Vertex_handle push_back(const Point& p) { return insert(p); }
 
   /// removes `v` and restores the local criterion around its place.
@@ -236,7 +264,9 @@ public:
   }
 
   /// inserts the points of a range in the order of `spatial_sort()` and returns
-  /// how many vertices came in addition.
+  /// how many vertices came in addition. Takes \f$ O(n \log n) \f$ time on average.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a point; the points before it
+  /// are inserted.
   /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
   std::ptrdiff_t insert(PointIterator first, PointIterator last)
@@ -253,6 +283,8 @@ public:
 
   /// inserts the points of a range and the segments between consecutive ones
   /// as constraints, and if `close` the segment from the last to the first.
+  /// \throw Intersection_of_constraints_exception of the base class if constraints cross and `Itag` is the default.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a point.
   /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
   void insert_constraint(PointIterator first, PointIterator last, bool close = false)
@@ -282,12 +314,14 @@ public:
   /// makes `bound` the index of the next vertex.
   void set_vertex_index_bound(int bound) { m_vertex_index_bound = bound; }
 
+  /// removes all vertices, and starts their numbers from 0.
   void clear()
   {
     Constrained_triangulation::clear();
     m_vertex_index_bound = 0;
   }
 
+  /// exchanges the two triangulations, with their traits.
   void swap(Constrained_anisotropic_Delaunay_triangulation_2& other)
   {
     Constrained_triangulation::swap(other);
@@ -298,12 +332,11 @@ public:
   /// \name Cavities
   /// @{
 
-  /// what the insertion of a point replaces: `faces`, and around them the
-  /// edges `boundary` in counterclockwise order, each as seen from outside.
+  /// what the insertion of a point replaces.
   struct Cavity
   {
-    boost::container::small_vector<Face_handle, 16> faces;
-    boost::container::small_vector<Edge, 18>        boundary;
+    boost::container::small_vector<Face_handle, 16> faces;    ///< connected
+    boost::container::small_vector<Edge, 18>        boundary; ///< around them, counterclockwise, as seen from outside
   };
 
   /// whether the finite face `f` is in conflict with a point `p` of tensor `m`.
@@ -317,6 +350,12 @@ public:
 
   /// finds the cavity of `p`, which `locate()` has found inside of a finite
   /// face or of an edge that is not constrained and has two finite faces.
+  /// \param p the point
+  /// \param m the tensor of the field at `p`
+  /// \param lt what `locate()` has found: `FACE` or `EDGE`
+  /// \param f the face that it has returned
+  /// \param li the index of the edge in `f`
+  /// \param[out] cavity is added to; empty before
   void find_cavity(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li,
                    Cavity& cavity) const
   {
@@ -351,7 +390,10 @@ public:
     }
   }
 
-  /// replaces `cavity` by the ball of `p`, the faces that join `p` to its boundary.
+  /// replaces `cavity` by the ball of `p`, the faces that join `p` to its boundary, and returns the new vertex.
+  /// \param p the point
+  /// \param m the tensor of the field at `p`
+  /// \param cavity what `find_cavity()` has found, as long as the triangulation has not changed
   Vertex_handle insert_in_cavity(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
   {
     const Vertex_handle v = this->star_hole(p, cavity.boundary.begin(), cavity.boundary.end(),
@@ -474,6 +516,9 @@ public:
   }
   /// @}
 
+  /// \name Checking
+  /// @{
+
   /// checks the triangulation.
   ///
   /// \param verbose whether the first defect is written to `std::cerr`.
@@ -493,8 +538,11 @@ public:
     typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Constrained_anisotropic_Delaunay_triangulation_2> Checker;
     return Checker(*this).is_valid(verbose, level);
   }
+  /// @}
 
+  /// \cond SKIP_IN_MANUAL
 protected:
+  // what the base class calls to insert a point
   Vertex_handle virtual_insert(const Point& p, Face_handle start = Face_handle()) override
   {
     return insert(p, start);
@@ -513,6 +561,7 @@ protected:
     Constrained_triangulation::triangulate_hole(faces, boundary_ab, boundary_ba, new_edges);
     restore_local_criterion(std::vector<Edge>(new_edges.begin(), new_edges.end()));
   }
+  /// \endcond
 
 private:
   void initialize(Vertex_handle v, const Metric_tensor_2& m)

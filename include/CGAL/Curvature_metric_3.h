@@ -32,15 +32,16 @@ namespace CGAL {
 /// plane too. Along the normal the size is the smaller one of these.
 ///
 /// \tparam Surface_ a model of `ParametricSurface_3`
+/// \sa `principal_curvatures_3()`
 /// \sa `Surface_metric_field_2`
 template <class Surface_>
 class Curvature_metric_3
 {
 public:
-  typedef Surface_                       Surface;
-  typedef typename Surface::Kernel       Kernel;
-  typedef typename Kernel::FT            FT;
-  typedef typename Kernel::Point_2       Point_2;
+  typedef Surface_                       Surface; ///< the surface
+  typedef typename Surface::Kernel       Kernel;  ///< its kernel
+  typedef typename Kernel::FT            FT;      ///< the number type
+  typedef typename Kernel::Point_2       Point_2; ///< a point of the parameters
 
   /// the metric of the relative chord error `epsilon`.
   /// \param epsilon the chord error, relative to the radius of curvature
@@ -57,7 +58,7 @@ public:
   }
 
   /// returns the tensor of the space at a point of the surface.
-  /// \throw Degenerate_parametrization_exception if the surface has no curvature there.
+  /// \throw Degenerate_parametrization_exception if the surface has no tangent plane or no finite curvature there.
   Metric_tensor_3<Kernel> operator()(const Surface& surface, const Point_2& uv) const
   {
     const Principal_curvatures_3<Kernel> k = principal_curvatures_3(surface, uv);

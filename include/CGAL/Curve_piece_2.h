@@ -25,7 +25,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// A piece of a curve in the plane: a segment, an arc of a circle, or any
-/// parametrized curve, with an integer reference.
+/// parametrized curve, with an integer reference (a curved segment in section 3.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The piece is followed by a parameter that runs from 0 at the source to 1 at
 /// the target. The two end points are stored, so that consecutive pieces can
@@ -37,13 +37,14 @@ namespace CGAL {
 /// `Invalid_domain_exception` naming the parameter.
 ///
 /// \tparam K a model of `Kernel`
+/// \sa `Anisotropic_mesh_domain_2`
 template <class K>
 class Curve_piece_2
 {
 public:
-  typedef K                    Kernel;
-  typedef typename K::FT       FT;
-  typedef typename K::Point_2  Point_2;
+  typedef K                    Kernel;  ///< the kernel
+  typedef typename K::FT       FT;      ///< its number type
+  typedef typename K::Point_2  Point_2; ///< its points
 
   /// \name Creation
   /// @{
@@ -62,6 +63,10 @@ public:
   /// points of the circle, and a full turn ends exactly where it starts.
   /// \throw Invalid_domain_exception if an argument is not finite, the radius
   /// is not positive, or the angles are equal or differ by more than a full turn.
+  /// \param center the center of the circle
+  /// \param radius the radius, in units of the coordinates
+  /// \param angle0,angle1 the angles of the source and of the target, in radians
+  /// \param reference the reference
   static Curve_piece_2 arc(const Point_2& center, const FT& radius,
                            double angle0, double angle1, int reference = 1)
   {
@@ -78,6 +83,9 @@ public:
 
   /// the curve `f(t)` for `t` from `t0` to `t1`, which may be smaller.
   /// \tparam Curve a callable `Point_2 (double)`; it is copied once.
+  /// \param f the curve
+  /// \param t0,t1 the arguments of `f` at the source and at the target
+  /// \param reference the reference
   /// \throw Invalid_domain_exception if an end point is not finite, or `t0`
   /// and `t1` are equal or not finite.
   template <class Curve>
@@ -110,6 +118,8 @@ public:
 
   /// the part between the parameters `s0` and `s1`, with the given end points,
   /// which must be those of the part up to rounding.
+  /// \param s0,s1 parameters in [0, 1]; with `s0 > s1` the part is followed backwards
+  /// \param p,q the points at `s0` and `s1`; that they are is not checked
   Curve_piece_2 part(double s0, double s1, const Point_2& p, const Point_2& q) const
   {
     return Curve_piece_2(m_curve, original_parameter(s0), original_parameter(s1), p, q, m_reference);
@@ -118,8 +128,14 @@ public:
 
   /// \name Access
   /// @{
+
+  /// the point at the parameter 0.
   const Point_2& source() const { return m_source; }
+
+  /// the point at the parameter 1.
   const Point_2& target() const { return m_target; }
+
+  /// the reference, which the edges of a mesh along the piece get.
   int reference() const { return m_reference; }
 
   /// tells whether the piece is a segment.

@@ -23,6 +23,7 @@ class Degenerate_parametrization_exception
   : public Invalid_metric_tensor_exception
 {
 public:
+  /// the complaint `what` about the surface at the parameters `(u, v)`.
   Degenerate_parametrization_exception(const std::string& what, double u, double v)
     : Invalid_metric_tensor_exception(what + " at the point " + Anisotropic_mesh_2::internal::describe(u, v)
                                       + " of the parameters (u, v)")

@@ -33,9 +33,9 @@ template <class K, class Sizes>
 class Directional_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field with what `sizes` gives.
   explicit Directional_metric_field_2(Sizes sizes) : m_sizes(std::move(sizes)) {}
@@ -59,6 +59,11 @@ private:
 ///
 /// returns the metric field of the sizes and directions that `sizes(p)` gives;
 /// `K` is to be named, as in `make_directional_metric_field_2<K>(sizes)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Sizes as for `Directional_metric_field_2`
+/// \param sizes the sizes and the angle at a point
+/// \return the field
 template <class K, class Sizes>
 Directional_metric_field_2<K, Sizes> make_directional_metric_field_2(Sizes sizes)
 {

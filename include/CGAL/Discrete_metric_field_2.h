@@ -26,7 +26,7 @@ namespace CGAL {
 /// triangle mesh, the background.
 ///
 /// In a triangle, the matrix logarithms of the three tensors are interpolated linearly
-/// (log-Euclidean mean), so that the result is positive definite and lies
+/// (log-Euclidean mean \cgalCite{afpa-lem-06}), so that the result is positive definite and lies
 /// between the three. A point outside of the background gets the tensor of the nearest point of the
 /// background.
 ///
@@ -40,9 +40,9 @@ template <class K>
 class Discrete_metric_field_2
 {
 public:
-  typedef typename K::Point_2                                  Point_2;
-  typedef Metric_tensor_2<K>                                   Metric_tensor;
-  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>  Background;
+  typedef typename K::Point_2                                  Point_2;       ///< a point
+  typedef Metric_tensor_2<K>                                   Metric_tensor; ///< a tensor
+  typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>  Background; ///< points and triangles
 
   /// interpolates `tensors[i]`, given at `background.points[i]`, over `background.triangles`,
   /// which may be oriented either way and should not overlap.
@@ -54,6 +54,7 @@ public:
   {}
 
   /// returns the interpolated tensor at `p`.
+  /// \pre the coordinates of `p` are finite.
   Metric_tensor operator()(const Point_2& p) const
   {
     const auto place = m_data->locator.locate(p);

@@ -48,9 +48,9 @@ template <class K, class Gradient>
 class Gradient_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field of the function with the given gradient.
   /// \param gradient the gradient.
@@ -93,6 +93,11 @@ private:
 ///
 /// returns the metric field of the function whose gradient `gradient(p)` gives;
 /// `K` is to be named, as in `make_gradient_metric_field_2<K>(gradient, alpha, error)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Gradient as for `Gradient_metric_field_2`
+/// \param gradient,alpha,error,norm as for the constructor of `Gradient_metric_field_2`
+/// \return the field
 template <class K, class Gradient>
 Gradient_metric_field_2<K, Gradient>
 make_gradient_metric_field_2(Gradient gradient, double alpha, double error,

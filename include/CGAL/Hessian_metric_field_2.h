@@ -49,9 +49,9 @@ template <class K, class Hessian>
 class Hessian_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field of the function with the given Hessian.
   /// \param hessian the Hessian.
@@ -115,6 +115,11 @@ private:
 ///
 /// returns the metric field of the function whose Hessian `hessian(p)` gives;
 /// `K` is to be named, as in `make_hessian_metric_field_2<K>(hessian, error, least_size, largest_size)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Hessian as for `Hessian_metric_field_2`
+/// \param hessian,error,least_size,largest_size,norm as for the constructor of `Hessian_metric_field_2`
+/// \return the field
 template <class K, class Hessian>
 Hessian_metric_field_2<K, Hessian>
 make_hessian_metric_field_2(Hessian hessian, double error, double least_size, double largest_size,

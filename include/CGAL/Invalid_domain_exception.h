@@ -22,6 +22,7 @@ class Invalid_domain_exception
   : public std::runtime_error
 {
 public:
+  /// the complaint `what`.
   explicit Invalid_domain_exception(const std::string& what)
     : std::runtime_error(what)
   {}

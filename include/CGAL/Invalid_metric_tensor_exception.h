@@ -23,6 +23,7 @@ class Invalid_metric_tensor_exception
   : public std::runtime_error
 {
 public:
+  /// the complaint `what`.
   explicit Invalid_metric_tensor_exception(const std::string& what)
     : std::runtime_error(what)
   {}

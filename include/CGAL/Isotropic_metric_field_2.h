@@ -16,7 +16,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the metric field of an isotropic size that depends on the place.
+/// the metric field of an isotropic size that depends on the place (section 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \tparam Size a functor `FT(const K::Point_2&)`, copyable and callable from several threads
@@ -26,9 +26,9 @@ template <class K, class Size>
 class Isotropic_metric_field_2
 {
 public:
-  typedef typename K::FT        FT;
-  typedef typename K::Point_2   Point_2;
-  typedef Metric_tensor_2<K>    Metric_tensor;
+  typedef typename K::FT        FT;            ///< the number type of the kernel
+  typedef typename K::Point_2   Point_2;       ///< a point
+  typedef Metric_tensor_2<K>    Metric_tensor; ///< a tensor
 
   /// the field with the sizes that `size` gives.
   explicit Isotropic_metric_field_2(Size size) : m_size(std::move(size)) {}
@@ -50,6 +50,11 @@ private:
 ///
 /// returns the metric field of the sizes that `size(p)` gives; `K` is to be
 /// named, as in `make_isotropic_metric_field_2<K>(size)`.
+///
+/// \tparam K a model of `Kernel`
+/// \tparam Size as for `Isotropic_metric_field_2`
+/// \param size the size at a point, in units of the coordinates
+/// \return the field
 template <class K, class Size>
 Isotropic_metric_field_2<K, Size> make_isotropic_metric_field_2(Size size)
 {

@@ -30,7 +30,7 @@ namespace CGAL {
 /// onto the axis of `h1`:
 /// \f$ M = R^T \mathrm{diag}(h_1^{-2}, h_2^{-2}) R \f$.
 ///
-/// No invalid tensor can be built: every way to build one throws
+/// No invalid tensor can be built: every way to build one from numbers throws
 /// `Invalid_metric_tensor_exception` unless the result is finite and positive
 /// definite. A default constructed tensor is the identity.
 ///
@@ -43,9 +43,9 @@ template <class K>
 class Metric_tensor_2
 {
 public:
-  typedef K                      Kernel;
-  typedef typename K::FT         FT;
-  typedef typename K::Vector_2   Vector_2;
+  typedef K                      Kernel;   ///< the parameter of the template
+  typedef typename K::FT         FT;       ///< the type of the entries
+  typedef typename K::Vector_2   Vector_2; ///< a vector of the plane
 
   /// the half axes of the unit ellipse, and the direction of the first.
   struct Sizes
@@ -62,6 +62,8 @@ public:
   Metric_tensor_2() : m_11(1), m_12(0), m_22(1) {}
 
   /// the tensor `m` of another kernel, its entries converted one by one.
+  /// Nothing is checked anew.
+  /// \tparam K2 the other kernel
   /// \tparam Converter a function object from the entries of `m` to `FT`.
   template <class K2, class Converter>
   Metric_tensor_2(const Metric_tensor_2<K2>& m, const Converter& convert)
@@ -80,8 +82,10 @@ public:
 
   /// the tensor whose unit ellipse has the half axis `h1` in the direction
   /// `(cos angle, sin angle)` and the half axis `h2` across it.
+  /// \param h1,h2 the sizes, in units of the coordinates
+  /// \param angle in radians
   /// \throw Invalid_metric_tensor_exception if a size is not positive or not
-  /// finite, or if the entries overflow.
+  /// finite, if the angle is not finite, or if the entries overflow.
   static Metric_tensor_2 from_sizes(const FT& h1, const FT& h2, double angle = 0)
   {
     if(!(is_size(h1) && is_size(h2) && std::isfinite(angle)))
@@ -94,9 +98,12 @@ public:
   }
 
   /// the isotropic tensor of size `h`.
+  /// \throw Invalid_metric_tensor_exception if `h` is not positive or not finite, or if the entries overflow.
   static Metric_tensor_2 from_size(const FT& h) { return from_sizes(h, h); }
 
   /// the tensor whose matrix logarithm has the entries `l`, in the order of `logarithm()`.
+  /// \throw Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of
+  /// numbers.
   static Metric_tensor_2 from_logarithm(const std::array<double, 3>& l)
   {
     const double mean = (l[0] + l[2]) / 2, radius = std::hypot((l[0] - l[2]) / 2, l[1]);
@@ -109,8 +116,14 @@ public:
 
   /// \name Access
   /// @{
+
+  /// the entry in the first row and column.
   const FT& m11() const { return m_11; }
+
+  /// the entry off the diagonal.
   const FT& m12() const { return m_12; }
+
+  /// the entry in the second row and column.
   const FT& m22() const { return m_22; }
 
   /// the determinant, which keeps its relative accuracy with `double` entries
@@ -123,7 +136,7 @@ public:
   /// \f$ \sqrt{\det M} \f$, the area that a piece of unit Euclidean area has in this metric.
   double area_density() const { return std::sqrt(CGAL::to_double(determinant())); }
 
-  /// the sizes, the smaller first.
+  /// the sizes, the smaller first, and the direction of the smaller one.
   Sizes sizes() const
   {
     const double a = CGAL::to_double(m_11), b = CGAL::to_double(m_12), c = CGAL::to_double(m_22);
@@ -174,10 +187,12 @@ public:
     return m.m_11 * n.m_22 == m.m_22 * n.m_11 && m.m_11 * n.m_12 == m.m_12 * n.m_11;
   }
 
+  /// whether all entries are equal.
   friend bool operator==(const Metric_tensor_2& m, const Metric_tensor_2& n)
   {
     return m.m_11 == n.m_11 && m.m_12 == n.m_12 && m.m_22 == n.m_22;
   }
+  /// whether an entry differs.
   friend bool operator!=(const Metric_tensor_2& m, const Metric_tensor_2& n) { return !(m == n); }
 
   /// writes the three entries.

@@ -31,9 +31,9 @@ template <class K>
 class Metric_tensor_3
 {
 public:
-  typedef K                      Kernel;
-  typedef typename K::FT         FT;
-  typedef typename K::Vector_3   Vector_3;
+  typedef K                      Kernel;   ///< the kernel
+  typedef typename K::FT         FT;       ///< its number type
+  typedef typename K::Vector_3   Vector_3; ///< a vector of space
   typedef std::array<FT, 6>      Entries; ///< 11, 12, 13, 22, 23, 33
 
   /// \name Creation
@@ -65,7 +65,7 @@ public:
 
   /// the tensor with the given sizes along the given directions.
   /// \pre the directions are orthogonal to each other and have unit length, up to rounding.
-  /// \throw Invalid_metric_tensor_exception if a size is not positive or not finite.
+  /// \throw Invalid_metric_tensor_exception if a size is not positive or not finite, or a direction is not finite.
   static Metric_tensor_3 from_directions(const std::array<Vector_3, 3>& directions, const std::array<FT, 3>& sizes)
   {
     Entries e{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};
@@ -82,6 +82,7 @@ public:
   /// the entries, row by row, of the upper triangle.
   const Entries& entries() const { return m_entries; }
 
+  /// the determinant.
   FT determinant() const
   {
     const Entries& e = m_entries;

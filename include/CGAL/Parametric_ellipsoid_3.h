@@ -21,7 +21,7 @@ namespace CGAL {
 /// the ellipsoid
 /// \f$ \sigma(u, v) = (a \cos v \cos u, b \cos v \sin u, c \sin v) \f$, where the
 /// longitude u has the period \f$ 2 \pi \f$, and the latitude v goes from the pole at
-/// \f$ -\pi/2 \f$ to the one at \f$ \pi/2 \f$.
+/// \f$ -\pi/2 \f$ to the one at \f$ \pi/2 \f$ (figure 5.4 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{ParametricSurface_3}
@@ -29,11 +29,11 @@ template <class K>
 class Parametric_ellipsoid_3
 {
 public:
-  typedef K                      Kernel;
-  typedef typename K::FT         FT;
-  typedef typename K::Point_2    Point_2;
-  typedef typename K::Point_3    Point_3;
-  typedef typename K::Vector_3   Vector_3;
+  typedef K                      Kernel;   ///< the kernel
+  typedef typename K::FT         FT;       ///< its number type
+  typedef typename K::Point_2    Point_2;  ///< a point of the parameters
+  typedef typename K::Point_3    Point_3;  ///< a point of space
+  typedef typename K::Vector_3   Vector_3; ///< a vector of space
 
   /// the ellipsoid with the half axes `a`, `b` and `c` along the axes of coordinates.
   /// \pre the half axes are positive and finite.
@@ -42,6 +42,7 @@ public:
     CGAL_precondition(a > 0 && b > 0 && c > 0 && std::isfinite(a + b + c));
   }
 
+  /// the rectangle of parameters.
   Anisotropic_mesh_2::Parameter_rectangle parameters() const
   {
     Anisotropic_mesh_2::Parameter_rectangle r;
@@ -52,18 +53,21 @@ public:
     return r;
   }
 
+  /// the point with the parameters `uv`.
   Point_3 point(const Point_2& uv) const
   {
     const Angles t(uv);
     return Point_3(FT(m_a*t.cos_v*t.cos_u), FT(m_b*t.cos_v*t.sin_u), FT(m_c*t.sin_v));
   }
 
+  /// the derivatives by u and by v.
   std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const
   {
     const Angles t(uv);
     return {vector(-t.cos_v*t.sin_u, t.cos_v*t.cos_u, 0), vector(-t.sin_v*t.cos_u, -t.sin_v*t.sin_u, t.cos_v)};
   }
 
+  /// the derivatives twice by u, by u and v, and twice by v.
   std::array<Vector_3, 3> second_derivatives(const Point_2& uv) const
   {
     const Angles t(uv);

@@ -20,7 +20,7 @@ namespace CGAL {
 ///
 /// the torus around the z-axis,
 /// \f$ \sigma(u, v) = ((R + r \cos v) \cos u, (R + r \cos v) \sin u, r \sin v) \f$,
-/// where u and v have the period \f$ 2 \pi \f$.
+/// where u and v have the period \f$ 2 \pi \f$ (figure 5.6 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \cgalModels{ParametricSurface_3}
@@ -28,11 +28,11 @@ template <class K>
 class Parametric_torus_3
 {
 public:
-  typedef K                      Kernel;
-  typedef typename K::FT         FT;
-  typedef typename K::Point_2    Point_2;
-  typedef typename K::Point_3    Point_3;
-  typedef typename K::Vector_3   Vector_3;
+  typedef K                      Kernel;   ///< the kernel
+  typedef typename K::FT         FT;       ///< its number type
+  typedef typename K::Point_2    Point_2;  ///< a point of the parameters
+  typedef typename K::Point_3    Point_3;  ///< a point of space
+  typedef typename K::Vector_3   Vector_3; ///< a vector of space
 
   /// the torus with the radius `large` of the circle in its middle, and the radius `small` of its tube.
   /// \pre `0 < small < large`
@@ -41,6 +41,7 @@ public:
     CGAL_precondition(0 < small && small < large && std::isfinite(large));
   }
 
+  /// the rectangle of parameters.
   Anisotropic_mesh_2::Parameter_rectangle parameters() const
   {
     Anisotropic_mesh_2::Parameter_rectangle r;
@@ -49,6 +50,7 @@ public:
     return r;
   }
 
+  /// the point with the parameters `uv`.
   Point_3 point(const Point_2& uv) const
   {
     const Angles a(uv);
@@ -56,6 +58,7 @@ public:
     return Point_3(FT(w*a.cos_u), FT(w*a.sin_u), FT(m_small*a.sin_v));
   }
 
+  /// the derivatives by u and by v.
   std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const
   {
     const Angles a(uv);
@@ -63,6 +66,7 @@ public:
     return {vector(-w*a.sin_u, w*a.cos_u, 0), vector(-s*a.cos_u, -s*a.sin_u, m_small*a.cos_v)};
   }
 
+  /// the derivatives twice by u, by u and v, and twice by v.
   std::array<Vector_3, 3> second_derivatives(const Point_2& uv) const
   {
     const Angles a(uv);

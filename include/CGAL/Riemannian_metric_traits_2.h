@@ -52,13 +52,15 @@ class Riemannian_metric_traits_2
   { typedef Anisotropic_mesh_2::internal::Filtered_side_of_metric_circle_2<K2> type; };
 
 public:
-  typedef K                              Kernel;
-  typedef MetricField_                   Metric_field;
-  typedef typename K::FT                 FT;
-  typedef typename K::Point_2            Point_2;
-  typedef CGAL::Metric_tensor_2<K>       Metric_tensor_2;
+  /// \name Types
+  /// @{
+  typedef K                              Kernel;          ///< the kernel
+  typedef MetricField_                   Metric_field;    ///< the type of the field
+  typedef typename K::FT                 FT;              ///< the number type
+  typedef typename K::Point_2            Point_2;         ///< a point
+  typedef CGAL::Metric_tensor_2<K>       Metric_tensor_2; ///< a tensor
 
-  /// whether orientation and the cavity criterion are decided without rounding errors
+  /// whether orientation and the cavity criterion are decided without rounding errors.
   static constexpr bool has_exact_predicates
     = K::Has_filtered_predicates || Algebraic_structure_traits<FT>::Is_exact::value;
 
@@ -71,17 +73,24 @@ public:
   /// with the same arguments, for experiments: `by_doubles()` (if the coordinates
   /// are doubles) and `by_intervals()` return an `Uncertain<Oriented_side>`,
   /// `exactly()` an `Oriented_side`.
+#ifdef DOXYGEN_RUNNING
+  typedef unspecified_type Side_of_metric_circle_2;
+#else
   typedef typename Select_side<K, K::Has_filtered_predicates>::type  Side_of_metric_circle_2;
+#endif
 
   /// evaluates the field.
   class Construct_metric_tensor_2
   {
   public:
-    typedef CGAL::Metric_tensor_2<K> result_type;
+    typedef CGAL::Metric_tensor_2<K> result_type; ///< a tensor
 
+    /// the functor of `field`, which is not copied.
     explicit Construct_metric_tensor_2(const Metric_field* field) : m_field(field) {}
 
-    /// \throw Invalid_metric_tensor_exception naming `p`.
+    /// returns the value of the field at `p`.
+    /// \pre the traits hold a field.
+    /// \throw Invalid_metric_tensor_exception naming `p`, if the field throws it.
     result_type operator()(const Point_2& p) const
     {
       CGAL_precondition_msg(m_field != nullptr, "the traits hold no metric field");
@@ -97,10 +106,12 @@ public:
   class Compute_squared_directional_distance_2
   {
   public:
-    typedef FT result_type;
+    typedef FT result_type; ///< a squared length
 
+    /// the functor that takes tensors from `tensor`.
     explicit Compute_squared_directional_distance_2(const Construct_metric_tensor_2& tensor) : m_tensor(tensor) {}
 
+    /// returns the squared distance.
     FT operator()(const Point_2& x, const Point_2& z) const { return (*this)(x, z, m_tensor(x)); }
 
     /// the same where the tensor at `x` is at hand.
@@ -114,14 +125,18 @@ public:
   };
 
   /// the Riemannian length of the segment from `p` to `q`, by adaptive
-  /// quadrature with a relative error of about 10<sup>-6</sup> where the field is smooth.
+  /// quadrature with a relative error of about 10<sup>-6</sup> where the field is smooth
+  /// (section 2.2 of \cgalCite{dw-acvt-05}).
   class Compute_riemannian_length_2
   {
   public:
-    typedef double result_type;
+    typedef double result_type; ///< a length
 
+    /// the functor that takes tensors from `tensor`.
     explicit Compute_riemannian_length_2(const Construct_metric_tensor_2& tensor) : m_tensor(tensor) {}
 
+    /// returns the length.
+    /// \throw Invalid_metric_tensor_exception if the field fails at a point of the segment.
     double operator()(const Point_2& p, const Point_2& q) const
     {
       return Anisotropic_mesh_2::internal::segment_length(p, q, m_tensor);
@@ -131,17 +146,25 @@ public:
     Construct_metric_tensor_2 m_tensor;
   };
 
+  /// @}
+
   /// \name Creation
   /// @{
 
   /// traits without a field: good for nothing but being assigned to.
   Riemannian_metric_traits_2() {}
 
+
+  /// traits that hold a copy of `field`, which their copies share.
   explicit Riemannian_metric_traits_2(const Metric_field& field, const K& kernel = K())
     : K(kernel), m_field(std::make_shared<const Metric_field>(field))
   {}
   /// @}
 
+  /// \name Access
+  /// @{
+
+  /// the metric field.
   /// \pre the traits were built from a field.
   const Metric_field& metric_field() const
   {
@@ -149,27 +172,34 @@ public:
     return *m_field;
   }
 
+  /// returns the functor that evaluates the field.
   Construct_metric_tensor_2 construct_metric_tensor_2_object() const
   { return Construct_metric_tensor_2(m_field.get()); }
 
+  /// returns the cavity criterion.
   Side_of_metric_circle_2 side_of_metric_circle_2_object() const
   { return Side_of_metric_circle_2(); }
 
+  /// returns the functor of directional distances.
   Compute_squared_directional_distance_2 compute_squared_directional_distance_2_object() const
   { return Compute_squared_directional_distance_2(construct_metric_tensor_2_object()); }
 
+  /// returns the functor of lengths.
   Compute_riemannian_length_2 compute_riemannian_length_2_object() const
   { return Compute_riemannian_length_2(construct_metric_tensor_2_object()); }
+  /// @}
 
 private:
   std::shared_ptr<const Metric_field> m_field;
 };
 
+/// \cond SKIP_IN_MANUAL
 // Point location is as fast as in triangulations over the kernel itself.
 template <class K, class MetricField_>
 struct Triangulation_structural_filtering_traits<Riemannian_metric_traits_2<K, MetricField_> >
   : public Triangulation_structural_filtering_traits<K>
 {};
+/// \endcond
 
 } // namespace CGAL
 

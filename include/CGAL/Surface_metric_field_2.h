@@ -37,21 +37,24 @@ template <class Surface_, class Metric_>
 class Surface_metric_field_2
 {
 public:
-  typedef Surface_                       Surface;
-  typedef Metric_                        Metric;
-  typedef typename Surface::Kernel       Kernel;
-  typedef typename Kernel::FT            FT;
-  typedef typename Kernel::Point_2       Point_2;
-  typedef typename Kernel::Point_3       Point_3;
-  typedef typename Kernel::Vector_3      Vector_3;
-  typedef Metric_tensor_2<Kernel>        Metric_tensor;
+  typedef Surface_                       Surface;       ///< the surface
+  typedef Metric_                        Metric;        ///< the metric of the space
+  typedef typename Surface::Kernel       Kernel;        ///< the kernel of the surface
+  typedef typename Kernel::FT            FT;            ///< its number type
+  typedef typename Kernel::Point_2       Point_2;       ///< a point of the parameters
+  typedef typename Kernel::Point_3       Point_3;       ///< a point of space
+  typedef typename Kernel::Vector_3      Vector_3;      ///< a vector of space
+  typedef Metric_tensor_2<Kernel>        Metric_tensor; ///< a tensor of the parameters
 
+  /// the metric that `surface` induces from `metric`; both are copied.
   Surface_metric_field_2(Surface surface, Metric metric)
     : m_surface(std::move(surface)), m_metric(std::move(metric)),
       m_u_extent(m_surface.parameters().u_extent()), m_v_extent(m_surface.parameters().v_extent())
   {}
 
+  /// the surface.
   const Surface& surface() const { return m_surface; }
+  /// the metric of the space.
   const Metric& metric() const { return m_metric; }
 
   /// returns the tensor in the plane of parameters.
@@ -117,6 +120,12 @@ private:
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// returns the metric that `surface` induces from `metric`.
+///
+/// \tparam Surface a model of `ParametricSurface_3`
+/// \tparam Metric as for `Surface_metric_field_2`
+/// \param surface the surface
+/// \param metric the metric of the space
+/// \return the metric of the parameters
 template <class Surface, class Metric>
 Surface_metric_field_2<Surface, Metric> make_surface_metric_field_2(Surface surface, Metric metric)
 {

@@ -16,7 +16,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Exceptions
 ///
-/// thrown when a metric asks for more vertices than a given limit, before the
+/// thrown when a metric asks for more vertices than a given limit; if it asks for many more, before the
 /// memory for them is taken.
 ///
 /// The message tells how many vertices the metric asks for, and the limit.

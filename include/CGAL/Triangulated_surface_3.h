@@ -22,13 +22,15 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// a surface of triangles with the topology of a disc, in parameters that distort it little.
+/// a surface of triangles with the topology of a disc, in parameters that distort it little
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
-/// The parameters are found by the *as rigid as possible* method of CGAL's package for the
-/// parametrization of surface meshes, with a free border, or, where that folds over, by mean value coordinates in a circle. Points
-/// are on the triangles, up to rounding, so that a mesh made of this surface has its vertices there. The
-/// first derivatives are constant on each triangle. The second ones tell the curvature that a cubic polynomial, fitted to
-/// the vertices around, has at each vertex, linear in between.
+/// The parameters are found by the *as rigid as possible* method \cgalCite{lzxgg-lgamp-08} of \cgal's package for the
+/// parametrization of surface meshes, with a free border, or, where that folds over, by mean value coordinates
+/// \cgalCite{f-mvc-03} in a circle. Points are on the triangles, up to rounding, so that a mesh made of this
+/// surface has its vertices there. The first derivatives are constant on each triangle. The second ones tell the
+/// curvature that a cubic polynomial, fitted to the vertices around \cgalCite{cp-edqpf-05}, has at each vertex,
+/// linear in between.
 ///
 /// Parameters outside of the `domain()` stand for the nearest ones within.
 ///
@@ -42,11 +44,11 @@ template <class K>
 class Triangulated_surface_3
 {
 public:
-  typedef K                        Kernel;
-  typedef typename K::FT           FT;
-  typedef typename K::Point_2      Point_2;
-  typedef typename K::Point_3      Point_3;
-  typedef typename K::Vector_3     Vector_3;
+  typedef K                        Kernel;   ///< the kernel
+  typedef typename K::FT           FT;       ///< its number type
+  typedef typename K::Point_2      Point_2;  ///< a point of the parameters
+  typedef typename K::Point_3      Point_3;  ///< a point of space
+  typedef typename K::Vector_3     Vector_3; ///< a vector of space
 
   /// a place on a triangle.
   struct Place
@@ -58,8 +60,8 @@ public:
   /// the surface of the faces of `mesh`, whose vertices are numbered in the order of `vertices(mesh)`.
   /// \tparam TriangleMesh a model of `FaceListGraph`, such as `Surface_mesh<K::Point_3>`, with
   /// an internal property map of points.
-  /// \throw std::invalid_argument if `mesh` is not a topological disc of triangles, a triangle has
-  /// no area, or it cannot be mapped to the plane without folds.
+  /// \throw std::invalid_argument if `mesh` is not a topological disc of triangles, a vertex is not finite, a
+  /// triangle has no area, or the mesh cannot be mapped to the plane without folds.
   template <class TriangleMesh>
   explicit Triangulated_surface_3(const TriangleMesh& mesh) : m_disc(std::make_shared<const Disc>(mesh)) {}
 
@@ -69,6 +71,7 @@ public:
   /// the bounding box of the parameters.
   Anisotropic_mesh_2::Parameter_rectangle parameters() const { return m_disc->rectangle; }
 
+  /// the point with the parameters `uv`, on a triangle.
   Point_3 point(const Point_2& uv) const
   {
     const Place place = locate(uv);
@@ -76,6 +79,7 @@ public:
     return corner(0) + FT(place.weights[1]) * (corner(1) - corner(0)) + FT(place.weights[2]) * (corner(2) - corner(0));
   }
 
+  /// the derivatives by u and by v, the same within a triangle.
   std::array<Vector_3, 2> first_derivatives(const Point_2& uv) const { return first_derivatives(locate(uv)); }
 
   /// the derivatives twice by u, by u and v, and twice by v, without their parts along the triangle.
@@ -93,6 +97,7 @@ public:
   /// \name Access
   /// @{
 
+  /// the number of vertices of the mesh that was given.
   std::size_t number_of_vertices() const { return m_disc->points.size(); }
 
   /// the parameters of the vertex with the number `v`.
@@ -110,7 +115,8 @@ public:
   /// The border is divided into curves at its corners. These become vertices of a mesh; all others
   /// of the border lie on its edges, up to rounding. With a `corner_angle` of 0 each vertex of the border is kept.
   /// \param corner_angle vertices where the border turns by more than this angle, in space, are corners, in radians;
-  /// those where it turns by more than 0.2 in the plane of parameters are too.
+  /// those where it turns by more than 0.2 in the plane of parameters, or by more than `corner_angle` if that is
+  /// less, are too.
   Anisotropic_mesh_domain_2<K> domain(double corner_angle = 0.5) const
   {
     Anisotropic_mesh_domain_2<K> result;

@@ -25,21 +25,24 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the metric of the space that interpolates tensors given at the vertices of a triangulated surface.
+/// the metric of the space that interpolates tensors given at the vertices of a triangulated surface
+/// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// In a triangle, the matrix logarithms of the three tensors are interpolated linearly, as by
 /// `Discrete_metric_field_2`. Copies share their data and are cheap.
 ///
-/// \tparam K a model of `Kernel`
+/// A program with this header must link `CGAL::Eigen3_support`.
+///
+/// \tparam K a model of `Kernel` with exact predicates, as `Triangulated_surface_3` wants it
 /// \sa `Surface_metric_field_2`
 template <class K>
 class Vertex_metric_3
 {
 public:
-  typedef Triangulated_surface_3<K>    Surface;
-  typedef typename K::FT               FT;
-  typedef typename K::Point_2          Point_2;
-  typedef Metric_tensor_3<K>           Metric_tensor;
+  typedef Triangulated_surface_3<K>    Surface;       ///< the surface
+  typedef typename K::FT               FT;            ///< the number type
+  typedef typename K::Point_2          Point_2;       ///< a point of the parameters
+  typedef Metric_tensor_3<K>           Metric_tensor; ///< a tensor of the space
 
   /// the metric with the given tensors, in the order of the vertices of `surface`.
   /// \throw std::invalid_argument if there are not as many tensors as vertices.
@@ -54,7 +57,8 @@ public:
     m_logarithms = logarithms;
   }
 
-  /// returns the tensor of the space at a point of the surface.
+  /// returns the tensor of the space at the point of the surface with the parameters `uv`.
+  /// \pre `surface` is the one whose tensors were given, or a copy of it.
   Metric_tensor operator()(const Surface& surface, const Point_2& uv) const
   {
     const typename Surface::Place place = surface.locate(uv);

@@ -45,15 +45,17 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// integrals, since the directional distance to a generator does not depend on
 /// the tessellation to first order: Lloyd's iteration is the gradient method
 /// preconditioned by the matrices \f$ A_i \f$ of the mass centres. The motion of the bisectors
-/// gives the rest of the Hessian. The L-BFGS method is preconditioned by two steps
+/// gives the rest of the Hessian. The L-BFGS method \cgalCite{ln-lmbm-89} is preconditioned by two steps
 /// of Chebyshev's iteration with that Hessian, which reaches the energy of
 /// a hundred iterations of Lloyd in ten to fifteen. A step is shortened if the energy after it
-/// exceeds that of the last eight iterates, and so are moves that would invert a face. The
-/// triangulation is updated in place by flips.
+/// exceeds that of the last eight iterates \cgalCite{gll-nls-86}, and so are moves that would invert a face. The
+/// triangulation is updated in place by flips. An iteration takes time linear in the number of vertices
+/// with the default `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's
+/// iteration as an open problem.
 ///
 /// At the end, faces of low quality are improved if the measure is the
-/// Riemannian one: where the tessellation of least energy has badly shaped faces, next to pairs of vertices of degree 5 and 7 or
-/// where the metric changes much within a face, vertices leave their mass centres,
+/// Riemannian one: where the tessellation of least energy has badly shaped faces, next to pairs of vertices of
+/// degree 5 and 7 or where the metric changes much within a face, vertices leave their mass centres,
 /// and vertices are inserted or removed if that helps (edges swapping and vertex
 /// smoothing in section 3.2 of \cgalCite{dw-acvt-05}). The sum of the demerits of
 /// the faces falls with each such move, the least quality around it does not, and
@@ -69,21 +71,25 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// \param mesh the mesh, with its domain marked.
 /// \param np an optional sequence of named parameters, those of
 /// `lloyd_optimize_anisotropic_mesh_2()`, with the same defaults but for `energy_reduction`
-/// (\f$ 3 \cdot 10^{-4} \f$), and
+/// (\f$ 3 \cdot 10^{-4} \f$; with 0 it stops when more than ten iterations have not lowered the energy at all), and
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{topological_moves}
 ///     \cgalParamDescription{whether faces of low quality are improved at the end, unless the time
-///       limit or the visitor has stopped the optimization. If not, handles to vertices and their indices stay.}
+///       limit or the visitor has stopped the optimization, or `number_of_iterations` is 0. If not, handles to
+///       vertices and their indices stay.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{whether the measure is `RIEMANNIAN`: with that of Lebesgue the optimum is no unit
 ///       mesh and has faces of less quality, and these moves would raise its energy by some percent}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
+/// See \ref AnisotropicMesh2NamedParameters for all of them.
+///
 /// \return why it stopped, as `lloyd_optimize_anisotropic_mesh_2()`, and
 /// `CANT_IMPROVE_ANYMORE` if no step lowers the energy within the accuracy to
 /// which it is evaluated. The mesh is valid in each case.
+/// \pre no number given is negative.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code

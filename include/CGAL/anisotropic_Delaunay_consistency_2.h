@@ -25,6 +25,10 @@ namespace CGAL {
 ///
 /// Constrained edges and edges of the hull agree with any criterion.
 /// \tparam Triangulation a `Constrained_anisotropic_Delaunay_triangulation_2`.
+/// \param t the triangulation
+/// \param e an edge of it
+/// \return whether the edge is consistent
+/// \pre `t.dimension() == 2`
 template <class Triangulation>
 bool is_consistent_edge(const Triangulation& t, const typename Triangulation::Edge& e)
 {
@@ -46,6 +50,9 @@ bool is_consistent_edge(const Triangulation& t, const typename Triangulation::Ed
 /// A triangulation in which all stars are consistent is Delaunay wherever one
 /// looks, each place in its own metric. The vertices are decided exactly if the traits do.
 /// \tparam Triangulation a `Constrained_anisotropic_Delaunay_triangulation_2`.
+/// \param t the triangulation
+/// \param v a finite vertex of it
+/// \return whether the star is consistent
 /// \pre `t.dimension() == 2`
 template <class Triangulation>
 bool is_consistent_star(const Triangulation& t, typename Triangulation::Vertex_handle v)
@@ -64,6 +71,8 @@ bool is_consistent_star(const Triangulation& t, typename Triangulation::Vertex_h
 /// The time is linear in the number of faces if stars are well shaped in their metrics.
 /// \tparam Triangulation a `Constrained_anisotropic_Delaunay_triangulation_2`, or a
 /// class derived from it. Of an `Anisotropic_Delaunay_mesh_2` only the domain is looked at.
+/// \param t the triangulation
+/// \return the numbers of edges and stars, and how many of them are consistent
 template <class Triangulation>
 Anisotropic_mesh_2::Delaunay_consistency anisotropic_Delaunay_consistency_2(const Triangulation& t)
 {

@@ -23,8 +23,12 @@ namespace CGAL {
 /// section 4.2 of \cgalCite{dw-acvt-05}; see `anisotropic_visibility_region_2()`.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
+/// \param mesh the mesh, with its domain marked.
+/// \param v a finite vertex of the mesh.
+/// \param measure the measure by which it is integrated.
+/// \param sampling how finely the region is sampled and integrated.
 /// \return the mass centre, or the vertex itself if no face of the domain is incident to it.
-/// \pre `mesh.dimension() == 2`
+/// \pre `mesh.dimension() == 2`, and the numbers of `sampling` are at least 1.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class Mesh>
 typename Mesh::Point

@@ -106,7 +106,7 @@ private:
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
-/// measures a mesh in its metric.
+/// measures a mesh in its metric, as section 5.1 of \cgalCite{dw-acvt-05} does.
 ///
 /// The field is evaluated a few dozen times per vertex, more often where it varies much.
 ///
@@ -114,6 +114,8 @@ private:
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \param mesh the mesh, with its domain marked.
 /// \param measure the measure of the energy.
+/// \return the figures.
+/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh>
 Anisotropic_mesh_2::Mesh_statistics
 anisotropic_mesh_statistics_2(const Mesh& mesh,

@@ -30,7 +30,10 @@ namespace CGAL {
 ///
 /// \tparam Field an instance of `Surface_metric_field_2`.
 /// \param mesh the mesh.
-/// \param tolerance as for `Anisotropic_Voronoi_diagram_2`.
+/// \param tolerance as for `Anisotropic_Voronoi_diagram_2`, whose default is finer.
+/// \return the region of each vertex, the `i`-th one that of the vertex `i`; empty if no chart holds it.
+/// \pre `tolerance` lies between 10<sup>-9</sup> and 0.1.
+/// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 template <class Field>
 std::vector<Anisotropic_mesh_2::Surface_voronoi_region_3<typename Field::Surface::Kernel> >
 anisotropic_surface_voronoi_regions(const Anisotropic_surface_mesh_3<Field>& mesh, double tolerance = 1e-3)

@@ -29,11 +29,16 @@ namespace CGAL {
 /// beyond the opposite edge; of that part, only what the segments to the next
 /// vertex sweep is found, however fine the sampling.
 ///
+/// The time is proportional to the square of the degree of the vertex and to the number of samples.
+///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
+/// \param mesh the mesh, with its domain marked.
+/// \param v a finite vertex of the mesh.
+/// \param sampling how finely the region is sampled.
 /// \return counterclockwise polygons: one around the vertex if the domain
 /// surrounds it, else one for each run of faces of the domain at the vertex,
 /// which begins with the vertex itself.
-/// \pre `mesh.dimension() == 2`
+/// \pre `mesh.dimension() == 2`, and the numbers of `sampling` are at least 1.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class Mesh>
 std::vector<std::vector<typename Mesh::Point> >

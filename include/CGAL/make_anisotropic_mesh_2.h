@@ -67,6 +67,8 @@ void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_trai
 /// The result is what the optimizers `acvt_optimize_mesh_2()` and
 /// `lloyd_optimize_anisotropic_mesh_2()` start from.
 ///
+/// The time is that of `Anisotropic_mesh_domain_2::validate()` and linear in the number of vertices.
+///
 /// \tparam K a model of `Kernel`, for example `Exact_predicates_inexact_constructions_kernel`.
 /// \tparam MetricField a model of `MetricField_2`, for example a lambda from
 /// `K::Point_2` to `Metric_tensor_2<K>`.

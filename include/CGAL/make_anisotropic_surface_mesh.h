@@ -42,8 +42,10 @@ namespace CGAL {
 /// parameters are not glued.
 /// \param field the surface and its metric.
 /// \param np an optional sequence of named parameters, those of
-/// `make_anisotropic_mesh_2()` and `acvt_optimize_mesh_2()`
+/// `make_anisotropic_mesh_2()` and `acvt_optimize_mesh_2()`, with the same defaults
+/// (see \ref AnisotropicMesh2NamedParameters)
 ///
+/// \return the mesh.
 /// \throw Degenerate_parametrization_exception if the surface has no tangent plane at a point of the domain.
 /// \throw Invalid_domain_exception if the domain is not valid.
 /// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
@@ -77,8 +79,20 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 /// `acvt_optimize_surface_mesh()`, which may also be called on its own, for the sake of its return code, if
 /// `number_of_iterations(0)` is given here.
 ///
-/// All other parameters are those of the overload for a part of the surface, and so are the exceptions.
-/// \throw Invalid_domain_exception if the sizes are so large that less than three edges would lead
+/// Of the named parameters for unit meshes, `point_placement` and `keep_boundary_points` have no effect on a
+/// closed surface; what those of the optimizer mean there tells `acvt_optimize_surface_mesh()`.
+///
+/// \tparam ConcurrencyTag as for `acvt_optimize_mesh_2()`.
+/// \tparam Field an instance of `Surface_metric_field_2`.
+/// \tparam NamedParameters a sequence of named parameters
+/// \param field the surface and its metric.
+/// \param np an optional sequence of named parameters, those of the overload for a part of the surface
+///
+/// \return the mesh, which is closed where the parameters are.
+/// \throw Degenerate_parametrization_exception if the surface has no tangent plane at a point other than a pole.
+/// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
+/// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
+/// \throw Invalid_domain_exception if the sizes are so large that somewhere less than three edges would lead
 /// around a closed surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_surface_mesh_3<Field>

@@ -37,7 +37,9 @@ namespace CGAL {
 /// \param diagram the tessellation.
 /// \param f the function, defined on the domain.
 /// \param relative_tolerance the accuracy to which the integral of the squared
-/// difference is wanted, relative to it; positive.
+/// difference is wanted, relative to it.
+/// \return the error.
+/// \pre `relative_tolerance > 0`
 /// \sa `Gradient_metric_field_2`
 template <class Diagram, class F>
 Anisotropic_mesh_2::Approximation_error

@@ -19,7 +19,8 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// measures how well a function is approximated by the continuous function that
-/// has the same values at the vertices of a mesh and is linear on its faces.
+/// has the same values at the vertices of a mesh and is linear on its faces (compare section 2.6 of
+/// \cgalCite{dw-acvt-05}).
 ///
 /// The squared difference is integrated over each face of the domain by a rule of
 /// degree 5 that is quartered, up to ten times, until the parts agree with the
@@ -33,7 +34,9 @@ namespace CGAL {
 /// \param mesh the mesh, with its domain marked.
 /// \param f the function, defined on the domain.
 /// \param relative_tolerance the accuracy to which the integral of the squared
-/// difference is wanted, relative to it; positive.
+/// difference is wanted, relative to it.
+/// \return the error.
+/// \pre `relative_tolerance > 0`
 /// \sa `Hessian_metric_field_2`
 template <class Mesh, class F>
 Anisotropic_mesh_2::Approximation_error

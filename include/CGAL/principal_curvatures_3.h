@@ -18,14 +18,14 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the curvatures of a surface at a point, positive where the surface bends to
-/// the side of its normal.
+/// the side of its normal (formula (5.2) of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a model of `Kernel`
 /// \sa `principal_curvatures_3()`
 template <class K>
 struct Principal_curvatures_3
 {
-  double k_min;                  ///< the least normal curvature
+  double k_min;                  ///< the least normal curvature, one over a length
   double k_max;                  ///< the largest one
   typename K::Vector_3 v_min;    ///< the direction of the least one, of unit length
   typename K::Vector_3 v_max;    ///< that of the largest one, orthogonal to it
@@ -38,7 +38,12 @@ struct Principal_curvatures_3
 /// are equal, the directions are any.
 ///
 /// \tparam Surface a model of `ParametricSurface_3`
-/// \throw Degenerate_parametrization_exception if the surface has no tangent plane or no finite second derivatives there.
+/// \param surface the surface
+/// \param uv parameters of a point
+/// \return the curvatures, in units of one over those of the space, and their directions
+/// \throw Degenerate_parametrization_exception if the surface has no tangent plane or no finite second derivatives
+/// there.
+/// \sa `Curvature_metric_3`
 template <class Surface>
 Principal_curvatures_3<typename Surface::Kernel>
 principal_curvatures_3(const Surface& surface, const typename Surface::Kernel::Point_2& uv)

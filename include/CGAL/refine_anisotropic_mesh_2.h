@@ -47,7 +47,8 @@ namespace CGAL {
 /// \cgalNamedParamsEnd
 ///
 /// \throw Too_many_vertices_exception if the metric asks for more vertices than
-/// allowed; an estimate tells that before the first insertion.
+/// allowed: before the first insertion if an estimate exceeds 1.5 times that number, else when that number is
+/// reached; the mesh is valid then.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 /// \return the number of vertices inserted.
 template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>

@@ -2,7 +2,7 @@
 /// \cgalConcept
 ///
 /// The concept `MetricField_2` describes a Riemannian metric of the plane: a
-/// function from points to metric tensors.
+/// function from points to metric tensors (section 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// \cgalRefines{CopyConstructible}
 ///

@@ -49,12 +49,11 @@ public:
   /// \name Predicates
   /// @{
 
-  /// provides `CGAL::Oriented_side operator()(Point_2 a, Point_2 b, Point_2 c, Point_2 p,
-  /// Metric_tensor_2 ma, Metric_tensor_2 mb, Metric_tensor_2 mc, Metric_tensor_2 mp)`.
-  /// For the counterclockwise triangle `abc` it returns `ON_POSITIVE_SIDE`,
+  /// provides `CGAL::Oriented_side operator()(a, b, c, p, ma, mb, mc, mp)` of four `Point_2` and four
+  /// `Metric_tensor_2`. For the counterclockwise triangle `abc` it returns `ON_POSITIVE_SIDE`,
   /// `ON_ORIENTED_BOUNDARY` or `ON_NEGATIVE_SIDE` as the product
   /// \f$ \alpha_{M(p)} \alpha_{M(a)} \alpha_{M(b)} \alpha_{M(c)} \f$ of the Delaunay
-  /// measures is less than, equal to or greater than 1.
+  /// measures is less than, equal to or greater than 1 (section 3.1 of \cgalCite{dw-acvt-05}).
   typedef unspecified_type Side_of_metric_circle_2;
   /// @}
 
@@ -66,14 +65,20 @@ public:
   typedef unspecified_type Construct_metric_tensor_2;
 
   /// provides `double operator()(Point_2 p, Point_2 q)`, the Riemannian length of
-  /// the segment from `p` to `q`.
+  /// the segment from `p` to `q` (section 2.2 of \cgalCite{dw-acvt-05}).
   typedef unspecified_type Compute_riemannian_length_2;
   /// @}
 
   /// \name Operations
   /// @{
+
+  /// returns the cavity criterion.
   Side_of_metric_circle_2 side_of_metric_circle_2_object() const;
+
+  /// returns the functor that evaluates the field.
   Construct_metric_tensor_2 construct_metric_tensor_2_object() const;
+
+  /// returns the functor of lengths.
   Compute_riemannian_length_2 compute_riemannian_length_2_object() const;
   /// @}
 };

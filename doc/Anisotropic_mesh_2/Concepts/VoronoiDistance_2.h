@@ -3,7 +3,7 @@
 ///
 /// The concept `VoronoiDistance_2` tells by which tensor the distance from a
 /// point of the plane to a generator is measured: the squared distance is the
-/// squared length of the vector between both in that tensor.
+/// squared length of the vector between both in that tensor (section 2.3 of \cgalCite{dw-acvt-05}).
 ///
 /// \cgalRefines{CopyConstructible}
 ///

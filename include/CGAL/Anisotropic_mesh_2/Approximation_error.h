@@ -12,10 +12,13 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// how far an approximation is from a function, in units of its values.
+/// how far an approximation is from a function, in units of its values (section 2.6 of \cgalCite{dw-acvt-05}).
+///
+/// \sa `CGAL::piecewise_constant_approximation_error_2()`
+/// \sa `CGAL::piecewise_linear_approximation_error_2()`
 struct Approximation_error
 {
-  double l2 = 0;      ///< the root of the integral of the squared difference
+  double l2 = 0;      ///< the root of the integral of the squared difference; in units of the values times a length
   double largest = 0; ///< the largest absolute difference at the points where the function was sampled
 };
 

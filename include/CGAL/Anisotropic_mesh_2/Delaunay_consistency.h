@@ -15,13 +15,16 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// how far a triangulation is Delaunay in its varying metric.
+/// how far a triangulation is Delaunay in its varying metric, by the criterion of section 3.1 of
+/// \cgalCite{dw-acvt-05}.
+///
+/// \sa `CGAL::anisotropic_Delaunay_consistency_2()`
 struct Delaunay_consistency
 {
   std::size_t edges = 0;             ///< free edges between two faces
-  std::size_t consistent_edges = 0;  ///< those that agree with the cavity criterion, see `CGAL::is_consistent_edge()`
+  std::size_t consistent_edges = 0;  ///< those that pass `CGAL::is_consistent_edge()`
   std::size_t stars = 0;             ///< vertices
-  std::size_t consistent_stars = 0;  ///< those whose star is Delaunay in their own metric, see `CGAL::is_consistent_star()`
+  std::size_t consistent_stars = 0;  ///< those that pass `CGAL::is_consistent_star()`
 
   /// the share of consistent edges, 1 if there are no edges.
   double edge_share() const { return share(consistent_edges, edges); }

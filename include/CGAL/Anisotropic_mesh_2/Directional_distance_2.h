@@ -19,6 +19,7 @@ namespace Anisotropic_mesh_2 {
 /// \cgalModels{VoronoiDistance_2}
 struct Directional_distance_2
 {
+  /// distances are measured at points.
   static constexpr bool is_measured_at_generators = false;
 };
 

@@ -10,7 +10,7 @@
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 
-/// \ingroup PkgAnisotropicMesh2Classes
+/// \ingroup PkgAnisotropicMesh2Enums
 ///
 /// how the edges of a domain tell its inside from its outside.
 enum class Domain_rule

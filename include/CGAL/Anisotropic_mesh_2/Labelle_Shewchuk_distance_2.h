@@ -12,13 +12,14 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the distance of Labelle and Shewchuk, for comparison: measured by the tensor
-/// at the generator (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are
+/// the distance of Labelle and Shewchuk \cgalCite{ls-avd-03}, for comparison: measured by the
+/// tensor at the generator (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are
 /// conics that do not pass through the midpoints of generators.
 ///
 /// \cgalModels{VoronoiDistance_2}
 struct Labelle_Shewchuk_distance_2
 {
+  /// distances are measured at generators.
   static constexpr bool is_measured_at_generators = true;
 
   /// the tensor by which distances to `v` are measured.

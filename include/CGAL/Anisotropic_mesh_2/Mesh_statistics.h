@@ -17,25 +17,30 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// figures of how good a mesh is in its metric.
+/// figures of how good a mesh is in its metric (section 5.1 of \cgalCite{dw-acvt-05}).
+///
+/// The quality of a triangle \f$ T \f$ with the edges \f$ e_i \f$ in a tensor \f$ M \f$ is
+/// \f$ 4 \sqrt 3 \sqrt{\det M} |T| / \sum_i e_i^T M e_i \f$: 1 if it is equilateral in \f$ M \f$, else less, and
+/// more than 0. Without triangles all figures are 0.
+/// \sa `CGAL::anisotropic_mesh_statistics_2()`
 struct Mesh_statistics
 {
   std::size_t vertices = 0;            ///< of the domain
   std::size_t triangles = 0;           ///< of the domain
   double ideal_vertices = 0;           ///< what a unit mesh has: \f$ 2/\sqrt 3 \f$ times the area in the metric
-  double edge_length_mean = 0;         ///< Riemannian lengths of edges
-  double edge_length_min = 0;
-  double edge_length_max = 0;
-  double edge_length_unit_share = 0;   ///< the share of edges with lengths in \f$ [\sqrt{1/2}, \sqrt 2] \f$
-  double quality_mean = 0;             ///< \f$ 4 \sqrt 3 \sqrt{\det M} |T| / \sum_i e_i^T M e_i \f$, `M` at the barycentre
-  double quality_min = 0;
-  double quality_min3_mean = 0;        ///< the least of the three qualities with `M` at the vertices
-  double quality_min3_min = 0;
-  double energy = 0;                   ///< of the anisotropic Voronoi tessellation
+  double edge_length_mean = 0;         ///< Riemannian lengths of the edges of the domain: their mean; 1 is ideal
+  double edge_length_min = 0;          ///< the least of them
+  double edge_length_max = 0;          ///< the largest of them
+  double edge_length_unit_share = 0;   ///< the share of edges with lengths in \f$ [\sqrt{1/2}, \sqrt 2] \f$, at most 1
+  double quality_mean = 0;             ///< qualities with the tensor at the barycentre: their mean
+  double quality_min = 0;              ///< the least of them
+  double quality_min3_mean = 0;        ///< the least qualities of triangles with the tensors at the vertices: the mean
+  double quality_min3_min = 0;         ///< the least of these
+  double energy = 0;                   ///< of the anisotropic Voronoi tessellation, in the measure asked for
   double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect
   double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre
 
-  /// calls `visit(name, value)` for each figure in the order above.
+  /// calls `visit(name, value)` for each figure, from `vertices` to `gradient_norm`.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const

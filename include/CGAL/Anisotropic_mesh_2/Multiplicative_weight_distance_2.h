@@ -18,7 +18,7 @@ namespace Anisotropic_mesh_2 {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the Euclidean distance times a weight of the generator, for comparison
-/// (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are circles and lines.
+/// (\cgalCite{obsc-st-00}, section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are circles and lines.
 ///
 /// \tparam Weight a functor from vertex handles to positive numbers
 ///
@@ -27,11 +27,15 @@ template <class Weight>
 class Multiplicative_weight_distance_2
 {
 public:
+  /// distances are measured at generators.
   static constexpr bool is_measured_at_generators = true;
 
+  /// the distance with the weights that `weight` gives.
   explicit Multiplicative_weight_distance_2(Weight weight) : m_weight(std::move(weight)) {}
 
   /// the tensor by which distances to `v` are measured: the squared weight times the identity.
+  /// \pre the weight is positive.
+  /// \throw Invalid_metric_tensor_exception if the weight is not finite.
   template <class Vertex_handle>
   auto operator()(Vertex_handle v) const
   {

@@ -14,20 +14,26 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the range of the parameters of a surface, and how its sides are glued.
+/// the range of the parameters of a surface (\f$ \Omega \f$ in section 5.2 of \cgalCite{dw-acvt-05}), and how its
+/// sides are glued.
 struct Parameter_rectangle
 {
-  double u_min = 0, u_max = 1;
-  double v_min = 0, v_max = 1;
+  double u_min = 0, ///< the left side
+         u_max = 1; ///< the right side
+  double v_min = 0, ///< the lower side
+         v_max = 1; ///< the upper side
   bool u_is_periodic = false; ///< with the extent as period
-  bool v_is_periodic = false;
+  bool v_is_periodic = false; ///< with the extent as period
   /// all of the side is one point of the surface, and u is periodic. The surface is a smooth function of
   /// \f$ (r \cos \alpha, r \sin \alpha) \f$, where \f$ r \f$ is the difference of v
   /// from this side, and \f$ \alpha \f$ grows by \f$ 2 \pi \f$ over the range of u.
   bool v_min_is_pole = false;
   bool v_max_is_pole = false; ///< the same for the other side
 
+  /// the width.
   double u_extent() const { return u_max - u_min; }
+
+  /// the height.
   double v_extent() const { return v_max - v_min; }
 
   bool is_periodic() const { return u_is_periodic || v_is_periodic; } ///< in at least one parameter

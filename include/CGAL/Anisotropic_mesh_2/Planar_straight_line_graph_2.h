@@ -28,30 +28,30 @@ namespace Anisotropic_mesh_2 {
 template <class K>
 struct Planar_straight_line_graph_2
 {
-  typedef typename K::Point_2 Point_2;
+  typedef typename K::Point_2 Point_2; ///< a point
 
   /// a straight edge between two points.
   struct Edge
   {
-    std::size_t source;
-    std::size_t target;
-    int         reference;
+    std::size_t source;    ///< the index of a point
+    std::size_t target;    ///< the index of another point
+    int         reference; ///< any number
   };
 
   /// a point inside a subdomain, and the reference of that subdomain.
   struct Region
   {
-    Point_2 seed;
-    int     reference;
+    Point_2 seed;      ///< the point
+    int     reference; ///< any number
   };
 
-  std::vector<Point_2>                    points;
-  std::vector<int>                        point_references;
-  std::vector<Edge>                       edges;
+  std::vector<Point_2>                    points;              ///< the vertices
+  std::vector<int>                        point_references;    ///< any numbers, one for each point, or none
+  std::vector<Edge>                       edges;               ///< the edges
   std::vector<Point_2>                    holes;               ///< a seed in each hole
-  std::vector<Region>                     regions;
-  std::vector<std::array<std::size_t, 3>> triangles;           ///< may be empty
-  std::vector<int>                        triangle_references;
+  std::vector<Region>                     regions;             ///< the subdomains that have a reference
+  std::vector<std::array<std::size_t, 3>> triangles;           ///< indices of points; may be empty
+  std::vector<int>                        triangle_references; ///< any numbers, one for each triangle, or none
 };
 
 } // namespace Anisotropic_mesh_2

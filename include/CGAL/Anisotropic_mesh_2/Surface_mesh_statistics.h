@@ -18,21 +18,22 @@ namespace Anisotropic_mesh_2 {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// figures of how good a mesh of a surface is, in the metric of the space at the surface
-/// and as an approximation of the surface.
+/// and as an approximation of the surface (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// Lengths are those of the straight edges in space, qualities those of the flat triangles
 /// \f$ T \f$ there, \f$ 4 \sqrt 3 |T|_M / \sum_i e_i^T M e_i \f$. Tessellation and mass centres are those in
 /// charts of the surface, in each of which the vertices that are far from where it is cut are measured.
 /// Vertices at the border of the mesh are not free.
+/// \sa `CGAL::anisotropic_surface_statistics()`
 struct Surface_mesh_statistics
   : public Mesh_statistics
 {
   double distance_mean = 0;            ///< from barycentres and midpoints of edges to the surface, in units of space
-  double distance_max = 0;
+  double distance_max = 0;             ///< the largest of these distances
   double normal_deviation_mean = 0;    ///< from the normal of the surface, at barycentres, in radians
-  double normal_deviation_max = 0;
+  double normal_deviation_max = 0;     ///< the largest of these angles
 
-  /// calls `visit(name, value)` for each figure, those of `Mesh_statistics` before those above.
+  /// calls `visit(name, value)` for each figure, those of `Mesh_statistics` first.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const

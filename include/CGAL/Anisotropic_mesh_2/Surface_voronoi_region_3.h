@@ -16,18 +16,20 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// the region of a vertex of a mesh of a surface, on the surface.
+/// the region of a vertex of a mesh of a surface, on the surface (section 5.2 of \cgalCite{dw-acvt-05}).
+///
+/// \sa `CGAL::anisotropic_surface_voronoi_regions()`
 ///
 /// \tparam K a model of `Kernel`
 template <class K>
 struct Surface_voronoi_region_3
 {
-  typedef typename K::Point_3        Point_3;
-  typedef std::array<Point_3, 3>     Tile;
+  typedef typename K::Point_3        Point_3; ///< a point of the surface
+  typedef std::array<Point_3, 3>     Tile;    ///< the corners of a triangle
 
   std::size_t                        vertex;     ///< its number in the mesh
   std::vector<std::vector<Point_3> > boundaries; ///< closed lines with the region on their left
-  std::vector<Tile>                  tiles;      ///< triangles that make up the region, up to the curvature of the surface
+  std::vector<Tile>                  tiles;      ///< triangles that make up the region, but for the surface's curvature
 };
 
 } // namespace Anisotropic_mesh_2

@@ -17,7 +17,7 @@ namespace Anisotropic_mesh_2 {
 /// what a picture of a Voronoi diagram shows besides the regions.
 struct Voronoi_drawing
 {
-  bool generators = true;
+  bool generators = true;     ///< as dots
   bool mass_centres = false;  ///< in red, with a line from the generator
   bool dual_edges = false;    ///< lines between the generators of neighbors
   Measure measure = Measure::RIEMANNIAN; ///< of the mass centres

@@ -21,7 +21,7 @@ namespace Anisotropic_mesh_2 {
 /// pieces share a bisector. Generators are named by the indices of their regions.
 struct Voronoi_duality_2
 {
-  typedef std::pair<std::size_t, std::size_t> Pair;
+  typedef std::pair<std::size_t, std::size_t> Pair; ///< two regions, the smaller index first
 
   std::size_t       number_of_dual_edges = 0;   ///< edges with a bisector
   std::vector<Pair> edges_without_bisector;     ///< in increasing order

@@ -14,13 +14,14 @@ namespace Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// a connected part of the region of a generator.
+/// a connected part of the region of a generator: a main or an orphan subregion in section 2.3 of
+/// \cgalCite{dw-acvt-05}.
 ///
 /// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
 template <class K>
 struct Voronoi_piece_2
 {
-  typedef std::vector<typename K::Point_2> Polygon;
+  typedef std::vector<typename K::Point_2> Polygon; ///< the corners of a closed line
 
   bool                  is_main = false; ///< whether it contains the generator; else it is an orphan
   double                area = 0;        ///< the Euclidean area

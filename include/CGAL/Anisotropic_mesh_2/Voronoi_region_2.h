@@ -21,16 +21,16 @@ namespace Anisotropic_mesh_2 {
 /// the region of a generator, within the domain (definition 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// \tparam K a class with the type `Point_2`, for example a kernel of \cgal
-/// \tparam Vertex_handle a handle to vertices of the mesh
+/// \tparam Vertex_handle_ a handle to vertices of the mesh
 template <class K, class Vertex_handle_>
 struct Voronoi_region_2
 {
-  typedef typename K::Point_2       Point_2;
-  typedef Vertex_handle_            Vertex_handle;
-  typedef std::array<Point_2, 3>    Tile;
+  typedef typename K::Point_2       Point_2;       ///< a point
+  typedef Vertex_handle_            Vertex_handle; ///< a vertex of the mesh
+  typedef std::array<Point_2, 3>    Tile;          ///< the corners of a triangle
 
   Vertex_handle                     vertex;            ///< the generator in the mesh
-  Point_2                           generator;
+  Point_2                           generator;         ///< its position
   bool                              is_fixed = false;  ///< whether the generator ends a constrained edge
   double                            area = 0;          ///< the Euclidean area of all pieces
   std::vector<Voronoi_piece_2<K> >  pieces;            ///< the main ones first

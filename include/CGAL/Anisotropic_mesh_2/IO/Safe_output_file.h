@@ -56,6 +56,7 @@ public:
   Safe_output_file(const Safe_output_file&) = delete;
   Safe_output_file& operator=(const Safe_output_file&) = delete;
 
+  /// removes the temporary file unless `commit()` was called.
   ~Safe_output_file() { discard(); }
 
   /// the stream to write to.

@@ -38,6 +38,8 @@ namespace IO {
 /// 3, all vertices must have the same `z`.
 ///
 /// \tparam K a model of `Kernel`
+/// \param file the name of the file
+/// \return what it holds; holes and regions are empty
 /// \throw Mesh_io_exception with file and line, if the file is not readable or
 /// not well-formed: numbers of elements that do not match, vertices that do
 /// not exist, coordinates that are not finite, binary files.
@@ -53,6 +55,8 @@ Anisotropic_mesh_2::Planar_straight_line_graph_2<K> read_medit(const std::string
 /// tensors, or of type 3, tensors in the order `m11 m12 m22`.
 ///
 /// \tparam K a model of `Kernel`
+/// \param file the name of the file
+/// \return the tensors, in the order of the vertices
 /// \throw Mesh_io_exception with file and line, if the file is not readable,
 /// not well-formed, or if a tensor is not positive definite.
 template <class K>
@@ -63,6 +67,9 @@ std::vector<Metric_tensor_2<K>> read_medit_metric(const std::string& file)
 
 /// writes points, edges and triangles with their references in the Medit
 /// format (`.mesh`), with all digits. Seeds are not written.
+/// \tparam K a model of `Kernel`
+/// \param os the stream
+/// \param graph the graph
 template <class K>
 void write_medit(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_line_graph_2<K>& graph)
 {
@@ -93,6 +100,7 @@ void write_medit(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_lin
 /// `bool is_in_domain() const` and possibly `int subdomain_index() const`
 /// (else 0 is written). If it has a member `int edge_reference(Edge) const`,
 /// this is the default for `edge_reference`; else the default is 1.
+/// \tparam EdgeReference a functor, as `edge_reference` is
 /// \param os the stream
 /// \param tr the triangulation
 /// \param edge_reference a functor `int(const Tr::Edge&)`
@@ -103,6 +111,9 @@ void write_medit(std::ostream& os, const Tr& tr, const EdgeReference& edge_refer
 }
 
 /// writes tensors as the solution of a Medit file (`.sol`), with all digits.
+/// \tparam K a model of `Kernel`
+/// \param os the stream
+/// \param tensors the tensors, in the order of the vertices of a mesh
 template <class K>
 void write_medit_metric(std::ostream& os, const std::vector<Metric_tensor_2<K>>& tensors)
 {
@@ -118,6 +129,8 @@ void write_medit_metric(std::ostream& os, const std::vector<Metric_tensor_2<K>>&
 /// `metric_tensor()`, in the order in which `write_medit()` writes the vertices.
 ///
 /// \tparam Tr as for `write_medit()`; the vertices return a `Metric_tensor_2`
+/// \param os the stream
+/// \param tr the triangulation
 template <class Tr>
 void write_medit_metric(std::ostream& os, const Tr& tr)
 {
@@ -130,6 +143,10 @@ void write_medit_metric(std::ostream& os, const Tr& tr)
 
 /// writes a graph or a triangulation to a file, which appears under its name only when
 /// it is complete. The further arguments are those of the functions that write to a stream.
+/// \tparam Mesh,Args what a function that writes to a stream takes
+/// \param file the name of the file
+/// \param mesh the graph or the triangulation
+/// \param args the further arguments
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Mesh, class... Args>
 void write_medit(const std::string& file, const Mesh& mesh, const Args&... args)
@@ -139,6 +156,9 @@ void write_medit(const std::string& file, const Mesh& mesh, const Args&... args)
 
 /// writes the tensors of a vector or of a triangulation to a file, which
 /// appears under its name only when it is complete.
+/// \tparam Mesh a vector of tensors or a triangulation, as a function that writes to a stream takes it
+/// \param file the name of the file
+/// \param mesh the tensors or the triangulation
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Mesh>
 void write_medit_metric(const std::string& file, const Mesh& mesh)

@@ -26,6 +26,8 @@ namespace IO {
 ///
 /// \tparam Tr a triangulation of \cgal whose faces have a member
 /// `bool is_in_domain() const`
+/// \param os the stream
+/// \param tr the triangulation
 template <class Tr>
 void write_off(std::ostream& os, const Tr& tr)
 {
@@ -40,7 +42,10 @@ void write_off(std::ostream& os, const Tr& tr)
     out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
 
-/// writes to a file, which appears under its name only when it is complete.
+/// writes the faces of the domain to a file, which appears under its name only when it is complete.
+/// \tparam Tr as for the function that writes to a stream
+/// \param file the name of the file
+/// \param tr the triangulation
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Tr>
 void write_off(const std::string& file, const Tr& tr)

@@ -27,7 +27,7 @@ namespace IO {
 /// @{
 
 /// reads a planar straight line graph from a `.poly` file of the mesh
-/// generator Triangle.
+/// generator Triangle \cgalCite{s-tri-96}.
 ///
 /// Vertices with their markers, segments with their markers, hole seeds and
 /// regional attributes are read; attributes of vertices are skipped. Indices
@@ -36,6 +36,8 @@ namespace IO {
 /// of the domain is meant as `Anisotropic_mesh_2::Domain_rule::SEEDS` tells.
 ///
 /// \tparam K a model of `Kernel`
+/// \param file the name of the file
+/// \return what it holds, without triangles
 /// \throw Mesh_io_exception with file and line, if a file is not readable or
 /// not well-formed.
 template <class K>
@@ -46,6 +48,9 @@ Anisotropic_mesh_2::Planar_straight_line_graph_2<K> read_poly(const std::string&
 
 /// writes the points, edges, holes and regions of a graph as a `.poly` file,
 /// with indices from 1 and all digits. Triangles are not written.
+/// \tparam K a model of `Kernel`
+/// \param os the stream
+/// \param graph the graph
 template <class K>
 void write_poly(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_line_graph_2<K>& graph)
 {
@@ -73,6 +78,9 @@ void write_poly(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_line
 }
 
 /// writes a graph as a `.poly` file, which appears under its name only when it is complete.
+/// \tparam K a model of `Kernel`
+/// \param file the name of the file
+/// \param graph the graph
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class K>
 void write_poly(const std::string& file, const Anisotropic_mesh_2::Planar_straight_line_graph_2<K>& graph)

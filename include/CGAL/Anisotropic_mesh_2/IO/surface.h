@@ -52,6 +52,9 @@ namespace IO {
 /// @{
 
 /// writes a mesh of a surface in the Object File Format (`.off`), with all digits.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param os the stream
+/// \param mesh the mesh
 template <class Field>
 void write_off(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 {
@@ -62,6 +65,9 @@ void write_off(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 }
 
 /// writes a mesh of a surface in the Polygon File Format (`.ply`), as text with all digits.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param os the stream
+/// \param mesh the mesh
 template <class Field>
 void write_ply(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 {
@@ -75,6 +81,11 @@ void write_ply(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 
 /// draws a mesh of a surface, shaded and with hidden faces behind the others, as a
 /// Scalable Vector Graphics file, 800 pixels wide.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param os the stream
+/// \param mesh the mesh
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param view from where the surface is seen
 template <class Field>
 void write_SVG(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh,
                const std::string& title = std::string(),
@@ -89,6 +100,12 @@ void write_SVG(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh,
 
 /// draws the Voronoi regions of the vertices of a mesh of a surface in the same way. Of a surface
 /// that `is_closed`, what faces away is left out.
+/// \tparam K a model of `Kernel`
+/// \param os the stream
+/// \param regions what `anisotropic_surface_voronoi_regions()` returns
+/// \param is_closed whether the surface is closed
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param view from where the surface is seen
 template <class K>
 void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Surface_voronoi_region_3<K> >& regions,
                bool is_closed, const std::string& title = std::string(),
@@ -101,7 +118,10 @@ void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Surface_v
   picture.write(os, title);
 }
 
-/// writes to a file, which appears under its name only when it is complete.
+/// writes a mesh of a surface to a file, which appears under its name only when it is complete.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param file the name of the file
+/// \param mesh the mesh
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Field>
 void write_off(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh)
@@ -109,7 +129,10 @@ void write_off(const std::string& file, const Anisotropic_surface_mesh_3<Field>&
   Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_off(os, mesh); });
 }
 
-/// writes to a file, which appears under its name only when it is complete.
+/// writes a mesh of a surface to a file, which appears under its name only when it is complete.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param file the name of the file
+/// \param mesh the mesh
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Field>
 void write_ply(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh)
@@ -117,7 +140,12 @@ void write_ply(const std::string& file, const Anisotropic_surface_mesh_3<Field>&
   Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_ply(os, mesh); });
 }
 
-/// draws to a file, which appears under its name only when it is complete.
+/// draws a mesh of a surface to a file, which appears under its name only when it is complete.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param file the name of the file
+/// \param mesh the mesh
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param view from where the surface is seen
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Field>
 void write_SVG(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh,
@@ -127,7 +155,13 @@ void write_SVG(const std::string& file, const Anisotropic_surface_mesh_3<Field>&
   Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_SVG(os, mesh, title, view); });
 }
 
-/// draws to a file, which appears under its name only when it is complete.
+/// draws Voronoi regions to a file, which appears under its name only when it is complete.
+/// \tparam K a model of `Kernel`
+/// \param file the name of the file
+/// \param regions what `anisotropic_surface_voronoi_regions()` returns
+/// \param is_closed whether the surface is closed
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param view from where the surface is seen
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class K>
 void write_SVG(const std::string& file, const std::vector<Anisotropic_mesh_2::Surface_voronoi_region_3<K> >& regions,

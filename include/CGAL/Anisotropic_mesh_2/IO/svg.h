@@ -36,6 +36,9 @@ namespace IO {
 ///
 /// \tparam Tr a constrained triangulation of \cgal whose faces have a member
 /// `bool is_in_domain() const` and possibly `int subdomain_index() const`
+/// \param os the stream
+/// \param tr the triangulation
+/// \param title what the line of text below the picture begins with; may be empty
 template <class Tr>
 void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::string())
 {
@@ -48,8 +51,13 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::s
 /// draws the domain of a triangulation with triangles colored by quality, and
 /// a legend.
 ///
+/// \tparam Tr as above
 /// \tparam Quality a functor `double(Tr::Face_handle)` whose values lie between
 /// 0 (worst) and 1 (best)
+/// \param os the stream
+/// \param tr the triangulation
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param quality the quality of a face
 template <class Tr, class Quality>
 void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Quality& quality)
 {
@@ -69,6 +77,12 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Q
 ///
 /// The width of lines follows that of the regions. With the tag `Parallel_tag` all threads draw, and the file is
 /// the same.
+/// \tparam Mesh,Distance,ConcurrencyTag as for `Anisotropic_Voronoi_diagram_2`
+/// \param os the stream
+/// \param diagram the tessellation
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param drawing what is drawn
+/// \throw Invalid_metric_tensor_exception if mass centres are asked for and the field fails at a point of the domain.
 template <class Mesh, class Distance, class ConcurrencyTag>
 void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag>& diagram,
                const std::string& title = std::string(),
@@ -81,6 +95,10 @@ void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Dista
 /// draws a triangulation or a tessellation to a file, which appears under its
 /// name only when it is complete. The further arguments are those of the
 /// functions that write to a stream.
+/// \tparam Drawing,Args what a function that writes to a stream takes
+/// \param file the name of the file
+/// \param drawing the triangulation or the tessellation
+/// \param args the further arguments
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Drawing, class... Args>
 void write_SVG(const std::string& file, const Drawing& drawing, const Args&... args)

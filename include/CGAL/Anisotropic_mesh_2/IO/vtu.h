@@ -31,6 +31,9 @@ namespace IO {
 ///
 /// \tparam Tr a constrained triangulation of \cgal whose faces have a member
 /// `bool is_in_domain() const`
+/// \param os the stream
+/// \param tr the triangulation
+/// \param mode whether numbers are written in binary form or as text, `BINARY` or `ASCII`
 template <class Tr>
 void write_vtu(std::ostream& os, const Tr& tr, Mode mode = BINARY)
 {
@@ -42,7 +45,11 @@ void write_vtu(std::ostream& os, const Tr& tr, Mode mode = BINARY)
   os.precision(precision);
 }
 
-/// writes to a file, which appears under its name only when it is complete.
+/// writes the domain to a file, which appears under its name only when it is complete.
+/// \tparam Tr as for the function that writes to a stream
+/// \param file the name of the file
+/// \param tr the triangulation
+/// \param mode as there
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Tr>
 void write_vtu(const std::string& file, const Tr& tr, Mode mode = BINARY)

@@ -142,10 +142,10 @@ private:
     const bool go_on = m_visitor.iteration(static_cast<const Optimization_state&>(m_state));
     if(m_free.empty())
       code = ALL_VERTICES_FROZEN;
-    else if(m_state.largest_move <= m_criteria.convergence)
-      code = CONVERGENCE_REACHED;
     else if(!go_on)
       code = BOUND_REACHED;
+    else if(m_state.largest_move <= m_criteria.convergence)
+      code = CONVERGENCE_REACHED;
     else if(m_state.iteration >= m_criteria.number_of_iterations)
       code = MAX_ITERATION_NUMBER_REACHED;
     else if(m_criteria.time_limit > 0 && m_state.seconds >= m_criteria.time_limit)
