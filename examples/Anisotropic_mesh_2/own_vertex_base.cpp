@@ -18,7 +18,10 @@ using Tensor = CGAL::Metric_tensor_2<K>;
 
 struct Field
 {
-  Tensor operator()(const Point& p) const { return Tensor::from_sizes(0.1, 0.1 - 0.24 * p.x() * (1 - p.x())); }
+  Tensor operator()(const Point& p) const
+  {
+    return Tensor::from_sizes(0.1, 0.1 - 0.24 * p.x() * (1 - p.x()));
+  }
 };
 
 // The bases of the package add to any base of CGAL what they need.
