@@ -19,13 +19,15 @@
 #include <map>
 #include <vector>
 
-using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point  = K::Point_2;
-using Tensor = CGAL::Metric_tensor_2<K>;
-using Tds    = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<K>,
-                                                    CGAL::Delaunay_mesh_face_base_2<K> >;
-using Cdt    = CGAL::Constrained_Delaunay_triangulation_2<K, Tds>;
+using K        = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point    = K::Point_2;
+using Tensor   = CGAL::Metric_tensor_2<K>;
+using Tds      = CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<K>,
+                                                      CGAL::Delaunay_mesh_face_base_2<K> >;
+using Cdt      = CGAL::Constrained_Delaunay_triangulation_2<K, Tds>;
+using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 
+// inside of a square and outside of another one
 Cdt square_with_hole()
 {
   Cdt cdt;
@@ -34,8 +36,9 @@ Cdt square_with_hole()
     cdt.insert_constraint(square.begin(), square.end(), true);
   }
   const std::vector<Point> holes = {{0, 0}};
-  CGAL::refine_Delaunay_mesh_2(cdt, holes.begin(), holes.end(),
-                               CGAL::Delaunay_mesh_size_criteria_2<Cdt>(0.125, 0.2));
+  CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(cdt, Criteria(0.125, 0.2));
+  mesher.set_seeds(holes.begin(), holes.end());
+  mesher.refine_mesh();
   return cdt;
 }
 
