@@ -1,5 +1,6 @@
 // A triangulation that is there already, here from the Delaunay mesher of CGAL, becomes an anisotropic mesh:
 // its points and constrained edges are taken over, refined where the metric wants more, and optimized.
+// Vertices do not become fewer: the given triangulation must be coarse enough.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
@@ -14,9 +15,7 @@
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
 #include <cmath>
-#include <cstddef>
 #include <iostream>
-#include <map>
 #include <vector>
 
 using K        = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -42,25 +41,6 @@ Cdt square_with_hole()
   return cdt;
 }
 
-// Constrained edges bound the domain if only one of their faces is in it.
-template <class Mesh>
-void take_over(const Cdt& cdt, Mesh& mesh)
-{
-  typename Mesh::Boundary_mesh border;
-  std::map<Cdt::Vertex_handle, std::size_t> index;
-  for(auto v = cdt.finite_vertices_begin(); v != cdt.finite_vertices_end(); ++v) {
-    index[v] = border.points.size();
-    border.points.push_back(v->point());
-  }
-  for(auto e = cdt.finite_edges_begin(); e != cdt.finite_edges_end(); ++e) {
-    const auto f = e->first, g = f->neighbor(e->second);
-    const auto u = f->vertex(Cdt::ccw(e->second)), v = f->vertex(Cdt::cw(e->second));
-    if(cdt.is_constrained(*e))
-      border.segments.push_back({index[u], index[v], 1, f->is_in_domain() != g->is_in_domain()});
-  }
-  mesh.insert_boundary(border);
-}
-
 int main()
 {
   const Cdt cdt = square_with_hole();
@@ -72,7 +52,7 @@ int main()
   };
   using Traits = CGAL::Riemannian_metric_traits_2<K, decltype(field)>;
   CGAL::Anisotropic_Delaunay_mesh_2<Traits> mesh{Traits(field)};
-  take_over(cdt, mesh);
+  mesh.insert_triangulation(cdt);
   const auto before = CGAL::anisotropic_mesh_statistics_2(mesh);
 
   CGAL::refine_anisotropic_mesh_2(mesh);

@@ -10,7 +10,9 @@
 #include <CGAL/Anisotropic_mesh_face_base_2.h>
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/assign_data.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Boundary_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/graph_of_triangulation.h>
 #include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
 
 #include <algorithm>
@@ -117,9 +119,21 @@ public:
     mark_domain();
   }
 
+  /// inserts the vertices and the constrained edges of a triangulation of CGAL, and marks the domain as it is there.
+  /// Constrained edges get the reference 1.
+  /// \tparam Triangulation an instance of `Constrained_triangulation_2` or of a class derived from it, whose points are those
+  /// of the mesh and whose faces are models of `DelaunayMeshFaceBase_2`, like those of a `Delaunay_mesher_2`.
+  /// \pre the mesh is empty, and the boundary of the domain is constrained in `triangulation`.
+  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a vertex.
+  template <class Triangulation>
+  void insert_triangulation(const Triangulation& triangulation)
+  {
+    insert_boundary(Anisotropic_mesh_2::internal::graph_of_triangulation<Kernel>(triangulation));
+  }
+
   /// the mesh of the fixed vertices and the constrained edges alone, with the
   /// same indices, references and domain: the stored empty mesh of section 4
-  /// of \cgalCite{dw-acvt-05}.
+  /// of \cgalCite{dw-acvt-05}. Vertices keep what their type stores.
   Anisotropic_Delaunay_mesh_2 empty_mesh() const
   {
     Anisotropic_Delaunay_mesh_2 result(this->geom_traits());
@@ -132,7 +146,7 @@ public:
       Vertex_handle& c = copies[v->index()];
       if(c == Vertex_handle()) {
         c = result.insert(v->point(), last == Vertex_handle() ? Face_handle() : last->face());
-        c->set_index(v->index());
+        Anisotropic_mesh_2::internal::assign_data(*c, *v);
       }
       return last = c;
     };
@@ -198,7 +212,8 @@ public:
 
   /// decides for every face whether it belongs to the domain, and to which
   /// subdomain. To be called after constraints came or went; insertion, removal
-  /// and relocation of vertices keep the marks. Takes time linear in the number of faces.
+  /// and relocation of vertices keep the marks. The domain is bounded by what `insert_boundary()` has been given
+  /// as a boundary; other constraints divide it into subdomains. Takes time linear in the number of faces.
   void mark_domain()
   {
     for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {

@@ -19,7 +19,7 @@ namespace CGAL {
 ///
 /// After each iteration all vertices are inserted anew into the stored empty
 /// mesh. Vertices on constrained edges stay where they are. Vertices keep their
-/// indices, handles to vertices and faces do not stay valid.
+/// indices and what else their type stores, faces do not; handles to both do not stay valid.
 /// An iteration takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices of a mesh of good quality.
 ///
 /// `acvt_optimize_mesh_2()` reaches the same energy in a fraction of the

@@ -58,6 +58,44 @@ void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_trai
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
+/// generates a unit mesh of a given type, which may have vertex and face bases or traits of the user:
+/// `make_anisotropic_mesh_2<Mesh>(domain, traits)`.
+///
+/// All else is as for the overload that takes a metric field.
+///
+/// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`, which must be given.
+/// \tparam K the kernel of the domain and the mesh.
+/// \tparam NamedParameters a sequence of named parameters
+/// \param domain the domain.
+/// \param traits the traits of the mesh, with the metric field.
+/// \param np an optional sequence of named parameters, those of the other overload
+///
+/// \return the mesh.
+/// \throw Invalid_domain_exception if the domain is not valid; the message names the place.
+/// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
+/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+template <class Mesh, class K, class CGAL_NP_TEMPLATE_PARAMETERS>
+Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const typename Mesh::Geom_traits& traits,
+                             const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  namespace internal = Anisotropic_mesh_2::internal;
+
+  const std::size_t limit = choose_parameter<std::size_t>
+    (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
+  const bool keep_points = choose_parameter(get_parameter(np, internal::keep_boundary_points_t()), false);
+
+  internal::check_metric_of_domain<Mesh>(domain, traits, limit);
+  Mesh mesh(traits);
+  internal::insert_boundary(mesh, internal::unit_boundary_mesh(domain, traits.construct_metric_tensor_2_object(), limit,
+                                                               keep_points));
+  refine_anisotropic_mesh_2(mesh, np);
+  return mesh;
+}
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
 /// generates a unit mesh of a planar domain under a metric field (section 3.2
 /// of \cgalCite{dw-acvt-05}).
 ///
@@ -90,27 +128,13 @@ void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_trai
 /// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 /// \return the mesh, an `Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >`.
-template <class K, class MetricField, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class MetricField, class K, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >
 make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const MetricField& field,
                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  namespace internal = Anisotropic_mesh_2::internal;
   typedef Riemannian_metric_traits_2<K, MetricField> Traits;
-  typedef Anisotropic_Delaunay_mesh_2<Traits>        Mesh;
-
-  const std::size_t limit = choose_parameter<std::size_t>
-    (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
-  const bool keep_points = choose_parameter(get_parameter(np, internal::keep_boundary_points_t()), false);
-
-  const Traits traits(field);
-  internal::check_metric_of_domain<Mesh>(domain, traits, limit);
-  Mesh mesh(traits);
-  internal::insert_boundary(mesh, internal::unit_boundary_mesh(domain, field, limit, keep_points));
-  refine_anisotropic_mesh_2(mesh, np);
-  return mesh;
+  return make_anisotropic_mesh_2<Anisotropic_Delaunay_mesh_2<Traits> >(domain, Traits(field), np);
 }
 
 } // namespace CGAL

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REINSERTER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_VERTEX_REINSERTER_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/assign_data.h>
 #include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
@@ -20,7 +21,7 @@ namespace Anisotropic_mesh_2 {
 namespace internal {
 
 // Moves the free vertices of a mesh by inserting them anew into the stored
-// empty mesh, as section 4 of the paper has it. Vertices keep their indices,
+// empty mesh, as section 4 of the paper has it. Vertices keep what they store,
 // handles do not stay valid.
 template <class Mesh>
 class Vertex_reinserter
@@ -51,7 +52,7 @@ public:
         Vertex_mover<Mesh>(m_mesh).move_to(target);
         return;
       }
-      v->set_index(m_free[i]->index());
+      assign_data(*v, *m_free[i]);
       hint = v->face();
     }
     next.set_vertex_index_bound(m_mesh.vertex_index_bound());
