@@ -24,6 +24,7 @@ using Triangle = Eigen::Matrix3d; // a column per corner; the inverse makes of p
 const double radius = 0.5, width = 0.02; // of the hole and of the layer
 
 struct Jet { double value; Vector gradient; Eigen::Matrix2d hessian; };
+
 // u = exp((radius - r) / width) + x y
 Jet solution(double x, double y)
 {
@@ -117,7 +118,7 @@ Eigen::VectorXd solve(const Mesh& mesh, const std::vector<Element>& elements)
 {
   const int n = int(mesh.vertex_index_bound());
   Eigen::VectorXd given = Eigen::VectorXd::Zero(n), load = given;
-  std::vector<Eigen::Triplet<double> > choice, stiffness; // `choice`: of vertices without given values
+  std::vector<Eigen::Triplet<double> > choice, stiffness; // `choice`: of the free vertices
   for(auto v : mesh.finite_vertex_handles())
     if(mesh.is_fixed(v))
       given[v->index()] = solution(v->point().x(), v->point().y()).value;
@@ -131,11 +132,11 @@ Eigen::VectorXd solve(const Mesh& mesh, const std::vector<Element>& elements)
     for(int i = 0; i < 9; ++i)
       stiffness.emplace_back(e.vertices[i / 3], e.vertices[i % 3], entries(i / 3, i % 3));
   }
-  Eigen::SparseMatrix<double> p(n, int(choice.size())), a(n, n);
-  p.setFromTriplets(choice.begin(), choice.end());
+  Eigen::SparseMatrix<double> c(n, int(choice.size())), a(n, n);
+  c.setFromTriplets(choice.begin(), choice.end());
   a.setFromTriplets(stiffness.begin(), stiffness.end());
-  const Eigen::SimplicialLDLT<decltype(a)> solver(p.transpose() * a * p);
-  return given + p * solver.solve(p.transpose() * (load - a * given));
+  const Eigen::SimplicialLDLT<decltype(a)> solver(c.transpose() * a * c);
+  return given + c * solver.solve(c.transpose() * (load - a * given));
 }
 
 // the L2 norms of the error and of its gradient
@@ -143,7 +144,7 @@ Vector errors(const std::vector<Element>& elements, const Eigen::VectorXd& value
 {
   Vector squares(0, 0);
   for(const Element& e : elements) {
-    const Eigen::RowVector3d u = values(e.vertices).transpose() * e.triangle.inverse(); // u * p is its value at p
+    const Eigen::RowVector3d u = values(e.vertices).transpose() * e.triangle.inverse(); // u * p: value at p
     squares += e.area * mean(e.triangle, [&](const Point& p) -> Vector {
       const Jet exact = solution(p.x(), p.y());
       return {std::pow(exact.value - u*p, 2), (exact.gradient - u.head<2>().transpose()).squaredNorm()};
