@@ -13,7 +13,6 @@ measured here. Plots need matplotlib.
 
 import argparse
 import collections
-import math
 import pathlib
 import shutil
 import subprocess
@@ -26,12 +25,12 @@ import matplotlib.pyplot as plt
 
 MANUAL = pathlib.Path(__file__).resolve().parent
 
-Run = collections.namedtuple("Run", "output folder") # what a command has printed, and where it has written
+Run = collections.namedtuple("Run", "output folder")  # what a command has printed, and where it has written
 
 # ------------------------------------------------------------------ style
 
 # A kind of mesh or a method looks the same in all plots; the tones differ in print without colours too.
-BAD, MIDDLING, GOOD = "#8c8c8c", "#d55e00", "#00429d"
+BAD, MIDDLING, GOOD = "#999999", "#d55e00", "#00429d"
 STYLES = {
     "uniform": dict(color=BAD, marker="o", linestyle="--", label="uniform"),
     "graded": dict(color=MIDDLING, marker="s", linestyle="-.", label="graded isotropic"),
@@ -158,7 +157,7 @@ def plot_cost_against_size(run, target):
     left.set(title="time per vertex", ylabel="µs", xlabel="vertices", ylim=(0, None))
     left.legend(loc="lower left")
     right.loglog(vertices, column(rows, "peak bytes/vertex"), color=GOOD, marker="^")
-    right.set(title="peak memory per vertex", ylabel="bytes", xlabel="vertices", ylim=(100, 20000))
+    right.set(title="peak memory per vertex", ylabel="bytes", xlabel="vertices", ylim=(500, 20000))
     save(figure, target)
 
 
