@@ -61,7 +61,7 @@ public:
 private:
   static double integral(const Mesh& mesh, const Faces& faces, double exponent)
   {
-    return metric_area<ConcurrencyTag>(mesh, faces, exponent, 1e-5, 1000000 + 4 * faces.size());
+    return metric_area<ConcurrencyTag>(mesh, faces, exponent, 1e-5, 30000 + 16 * faces.size());
   }
 
   Measure m_measure;

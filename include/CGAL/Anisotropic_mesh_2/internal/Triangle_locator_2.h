@@ -53,41 +53,30 @@ public:
     for(std::size_t i = 0; i < triangles.size(); ++i)
       orient(i);
     build(0, m_triangles.size());
+    for(const Triangle& t : m_triangles)
+      m_corners.push_back({m_points[t[0]], m_points[t[1]], m_points[t[2]]});
   }
 
-  // Visits the nearer boxes first and those only that can hold something
-  // nearer than what was found.
   Place locate(const Point_2& p) const
   {
     CGAL_precondition(CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()));
     const Xy q = query(p);
-    std::array<std::size_t, max_depth> stack = {0};
-    std::size_t size = 1;
-    Candidate best = {std::numeric_limits<double>::infinity(), {m_triangles[0], {1, 0, 0}}};
-    while(size > 0 && best.squared_distance > 0) {
-      const std::size_t at = stack[--size];
-      const Node& node = m_nodes[at];
-      if(node.box.squared_distance(q) >= best.squared_distance)
-        continue;
-      if(node.second_child == 0)
-        search_leaf(node, p, q, best);
-      else {
-        std::size_t near = at + 1, far = node.second_child;
-        if(m_nodes[far].box.squared_distance(q) < m_nodes[near].box.squared_distance(q))
-          std::swap(near, far);
-        stack[size++] = far;
-        stack[size++] = near;
-      }
-    }
-    return best.place;
+    const std::size_t i = triangle_at(p, q);
+    return i < m_triangles.size() ? inner_place(m_triangles[i], q) : nearest_place(q);
   }
 
 private:
-  typedef std::array<double, 2> Xy;
+  typedef std::array<double, 2>  Xy;
+  typedef std::array<Point_2, 3> Corners;
 
   struct Box
   {
     Xy low, high;
+
+    bool contains(const Xy& q) const
+    {
+      return low[0] <= q[0] && q[0] <= high[0] && low[1] <= q[1] && q[1] <= high[1];
+    }
 
     void add(const Xy& q)
     {
@@ -195,20 +184,60 @@ private:
     return xy(t, 0)[axis] + xy(t, 1)[axis] + xy(t, 2)[axis];
   }
 
-  void search_leaf(const Node& leaf, const Point_2& p, const Xy& q, Candidate& best) const
+  // the first triangle that holds the point, or else the number of triangles
+  std::size_t triangle_at(const Point_2& p, const Xy& q) const
   {
-    for(std::size_t i = leaf.begin; i < leaf.end && best.squared_distance > 0; ++i)
-      if(contains(m_triangles[i], p))
-        best = Candidate{0, inner_place(m_triangles[i], q)};
-      else
-        take_nearer_edge(m_triangles[i], q, best);
+    std::array<std::size_t, max_depth> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while(size > 0) {
+      const std::size_t at = stack[--size];
+      const Node& node = m_nodes[at];
+      if(!node.box.contains(q))
+        continue;
+      if(node.second_child > 0) {
+        stack[size++] = node.second_child;
+        stack[size++] = at + 1;
+      } else
+        for(std::size_t i = node.begin; i < node.end; ++i)
+          if(contains(m_corners[i], p))
+            return i;
+    }
+    return m_triangles.size();
   }
 
-  bool contains(const Triangle& t, const Point_2& p) const
+  // Visits the nearer boxes first and those only that can hold something
+  // nearer than what was found.
+  Place nearest_place(const Xy& q) const
+  {
+    std::array<std::size_t, max_depth> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    Candidate best = {std::numeric_limits<double>::infinity(), {m_triangles[0], {1, 0, 0}}};
+    while(size > 0 && best.squared_distance > 0) {
+      const std::size_t at = stack[--size];
+      const Node& node = m_nodes[at];
+      if(node.box.squared_distance(q) >= best.squared_distance)
+        continue;
+      if(node.second_child == 0)
+        for(std::size_t i = node.begin; i < node.end; ++i)
+          take_nearer_edge(m_triangles[i], q, best);
+      else {
+        std::size_t near = at + 1, far = node.second_child;
+        if(m_nodes[far].box.squared_distance(q) < m_nodes[near].box.squared_distance(q))
+          std::swap(near, far);
+        stack[size++] = far;
+        stack[size++] = near;
+      }
+    }
+    return best.place;
+  }
+
+  static bool contains(const Corners& corners, const Point_2& p)
   {
     const auto orientation = K().orientation_2_object();
     for(int i = 0; i < 3; ++i)
-      if(orientation(m_points[t[i]], m_points[t[(i + 1) % 3]], p) == CLOCKWISE)
+      if(orientation(corners[i], corners[(i + 1) % 3], p) == CLOCKWISE)
         return false;
     return true;
   }
@@ -254,6 +283,7 @@ private:
 
   std::vector<Point_2>  m_points;
   std::vector<Triangle> m_triangles;
+  std::vector<Corners>  m_corners; // of the triangles, close together in memory
   std::vector<Node>     m_nodes;
   double                m_scale;
 };
