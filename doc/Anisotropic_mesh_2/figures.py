@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Author(s)     : the Anisotropic_mesh_2 developers
-"""Makes the figures and tables of the manual anew, by running examples and the program.
+"""Makes the figures and tables of the manual anew, by running the examples.
 
 SOURCES, at the end, tells where each file comes from. All but exactness.md, which
 holds times, are the same in every run. The times of cost_against_size.svg are not
@@ -179,8 +179,18 @@ SOURCES = [
     ("fig/five_generators_constant.svg", "five_generators", copy_picture),
     ("fig/five_generators_varying.svg", "five_generators", copy_picture),
     ("fig/holes_and_constraints.svg", "holes_and_constraints", copy_picture),
-    ("fig/square4_tessellation.svg",
-     "anisotropic_mesh_2 builtin:square4 --voronoi square4_tessellation.svg", copy_picture),
+    ("fig/quick_start.svg", "quick_start", copy_picture),
+    ("fig/disc_tessellation.svg", "paper_disc_and_square", copy_picture),
+    ("fig/square4_tessellation.svg", "paper_disc_and_square", copy_picture),
+    ("fig/layer10.svg", "paper_line_refinement", copy_picture),
+    ("fig/parallelogram_0.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_0_tessellation.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_5.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_5_tessellation.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_30.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_30_tessellation.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_100.svg", "paper_parallelogram", copy_picture),
+    ("fig/parallelogram_100_tessellation.svg", "paper_parallelogram", copy_picture),
     ("fig/surface_ellipsoid.svg", "paper_surfaces", copy_picture),
     ("fig/surface_paraboloid.svg", "paper_surfaces", copy_picture),
     ("fig/surface_torus.svg", "paper_surfaces", copy_picture),
@@ -191,12 +201,13 @@ SOURCES = [
     ("fig/convergence.svg", "convergence", plot_convergence),
     ("fig/quality_histogram.svg", "quality_histogram", plot_quality_histogram),
     ("fig/cost_against_size.svg", COST, plot_cost_against_size),
+    ("tables/quick_start.txt", "quick_start", copy_output),
     ("tables/exactness.md", "exactness 20000", copy_output),
     ("tables/function_approximation.md", "function_approximation", copy_output)]
 
 
 def run_in(folder, command, programs):
-    """Runs an example, or the program, in the folder."""
+    """Runs an example in the folder."""
     name, *arguments = command.split()
     path = next((p / name for p in programs if (p / name).is_file()), None)
     if path is None:
@@ -214,7 +225,7 @@ def parsed_arguments():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", nargs="+", type=folder,
-                        help="folders with the built examples and with the program anisotropic_mesh_2")
+                        help="folders with the built examples")
     parser.add_argument("--cost", type=pathlib.Path, default=MANUAL / "tables/cost_against_size.md",
                         help="what cost_against_size.py has printed; default: the table of the manual")
     parser.add_argument("--only", nargs="+", default=[""], metavar="NAME",

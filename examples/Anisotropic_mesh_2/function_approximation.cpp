@@ -92,11 +92,15 @@ auto unit_mesh(const Field& field)
   return CGAL::make_anisotropic_mesh_2(square, field);
 }
 
+// Where values are those of generators, these stay at their mass centres; the
+// shape of faces does not matter.
+enum class Purpose { GENERATORS, VERTICES };
+
 // The optimized mesh of about n vertices under `field(scale)`, whose sizes are
 // proportional to the scale. Were there no boundary, so were their squares to
 // 1/n, and the second step would arrive.
 template <class Field_of_scale>
-auto mesh_of_size(std::size_t n, double tolerance, const Field_of_scale& field)
+auto mesh_of_size(std::size_t n, double tolerance, Purpose purpose, const Field_of_scale& field)
 {
   double scale = 4 / std::sqrt(double(n)); // rather too coarse, since coarse meshes are cheap
   auto mesh = unit_mesh(field(scale));
@@ -104,15 +108,16 @@ auto mesh_of_size(std::size_t n, double tolerance, const Field_of_scale& field)
     scale *= std::sqrt(double(mesh.number_of_vertices()) / double(n));
     mesh = unit_mesh(field(scale));
   }
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(30));
+  CGAL::acvt_optimize_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(purpose == Purpose::VERTICES)
+                                     .number_of_iterations(30));
   return mesh;
 }
 
 // A small change of an anisotropic metric changes the number of vertices by some
 // percent; uniform meshes are the ones that can be had in any size.
-auto uniform_mesh(std::size_t n)
+auto uniform_mesh(std::size_t n, Purpose purpose)
 {
-  return mesh_of_size(n, 0.01, [](double scale) {
+  return mesh_of_size(n, 0.01, purpose, [](double scale) {
     return CGAL::make_isotropic_metric_field_2<K>([scale](const Point&) { return scale; });
   });
 }
@@ -141,15 +146,17 @@ void compare(const std::string& name, Function f, std::size_t n)
 {
   std::printf("| %-8s |", name.c_str());
 
-  const auto generators = mesh_of_size(n, 0.05, [f](double scale) { return gradient_field(f, scale); });
-  const auto uniform_generators = uniform_mesh(generators.number_of_vertices());
+  const auto generators = mesh_of_size(n, 0.05, Purpose::GENERATORS,
+                                       [f](double scale) { return gradient_field(f, scale); });
+  const auto uniform_generators = uniform_mesh(generators.number_of_vertices(), Purpose::GENERATORS);
   print(uniform_generators.number_of_vertices(), generators.number_of_vertices(),
         constant_error(name + "_uniform_tessellation.svg", uniform_generators, f),
         constant_error(name + "_gradient_tessellation.svg", generators, f));
   CGAL::IO::write_SVG(name + "_gradient.svg", generators);
 
-  const auto vertices = mesh_of_size(n, 0.05, [f](double scale) { return hessian_field(f, scale*scale); });
-  const auto uniform_vertices = uniform_mesh(vertices.number_of_vertices());
+  const auto vertices = mesh_of_size(n, 0.05, Purpose::VERTICES,
+                                     [f](double scale) { return hessian_field(f, scale*scale); });
+  const auto uniform_vertices = uniform_mesh(vertices.number_of_vertices(), Purpose::VERTICES);
   print(uniform_vertices.number_of_vertices(), vertices.number_of_vertices(),
         linear_error(uniform_vertices, f), linear_error(vertices, f));
   CGAL::IO::write_SVG(name + "_hessian.svg", vertices);
