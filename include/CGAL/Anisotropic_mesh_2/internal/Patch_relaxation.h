@@ -9,14 +9,15 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Mesh_patch.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Patch_flipper.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Star_model.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Unit_band.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Unit_frame.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/demerit.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -26,9 +27,8 @@ namespace internal {
 // Lowers the demerit of a patch, the sum of q^-6 - 1 over the qualities of its
 // faces, by moves of its free vertices and by flips.
 //
-// Of good faces it is a multiple of what their qualities lack of 1, of bad ones
-// much more: so neither the mean nor the least quality is bought too dearly
-// with the other.
+// Where to move is decided by a model; the field is only evaluated where a
+// vertex then comes to lie.
 template <class Mesh>
 class Patch_relaxation
 {
@@ -36,7 +36,7 @@ class Patch_relaxation
   typedef typename Patch::Point    Point;
   typedef typename Patch::Vertex   Vertex;
 
-  // the derivatives of the demerit at a vertex, in a basis that is orthonormal in its metric
+  // the derivatives of the demerit at a vertex, in its frame
   struct Derivatives
   {
     double x, y, xx, xy, yy;
@@ -78,7 +78,7 @@ public:
     double sum = 0;
     for(const auto& f : patch.faces())
       if(f.is_used)
-        sum += demerit_of_quality(f.quality);
+        sum += demerit_of_quality(f.shape.quality);
     return sum;
   }
 
@@ -88,11 +88,6 @@ private:
   static constexpr double longest_step = 0.2;
   static constexpr double least_step = 0.003;  // less does not count as a move
   static constexpr int    maximum_of_halvings = 3;
-
-  static double demerit_of_quality(double q)
-  {
-    return q > 0 ? 1 / ((q*q*q) * (q*q*q)) - 1 : std::numeric_limits<double>::infinity();
-  }
 
   // Moves vertices that have moved lately, or whose neighbors have; returns which did.
   std::vector<bool> sweep(Patch& patch, double threshold, const std::vector<bool>& moved) const
@@ -105,7 +100,7 @@ private:
       double least = 1;
       patch.for_each_face_at(v, [&](int f, int i) {
         const auto& face = patch.faces()[f];
-        least = std::min(least, face.quality);
+        least = std::min(least, face.shape.quality);
         is_near_move = is_near_move || moved[face.vertex[Patch::ccw(i)]];
       });
       result[v] = is_near_move && least < threshold && move(patch, v) > least_step;
@@ -116,43 +111,54 @@ private:
   // A step of Newton's method, shortened until the demerit falls; returns its metric length.
   double move(Patch& patch, int v) const
   {
-    const Vertex old = patch.vertices()[v];
-    const Vector_of_doubles z = to_doubles(old.point);
-    const Symmetric_form m(old.tensor);
-    const double e1 = 1 / std::sqrt(m.a), e2 = std::sqrt(m.a / m.determinant()), e12 = -m.b / m.a * e2;
-    const auto at = [&](double s, double t) { return point_at<Point>(z.x + s*e1 + t*e12, z.y + t*e2); };
-    const auto value = [&](double s, double t) { return demerit_around(patch, v, at(s, t)); };
-
-    const double start = value(0, 0);
-    Derivatives d = derivatives(value, start, difference);
-    if(!d.is_finite()) // next to an almost flat face
-      d = derivatives(value, start, difference / 20);
-    Vector_of_doubles step = newton_step(d);
-    for(int i = 0; i <= maximum_of_halvings; ++i, step.x /= 2, step.y /= 2)
-      if(value(step.x, step.y) < start && keeps_band(patch, v, at(step.x, step.y))) {
-        patch.move(v, at(step.x, step.y));
-        return std::hypot(step.x, step.y);
-      }
+    const Vertex& old = patch.vertices()[v];
+    const Unit_frame frame(old.point, Symmetric_form(old.tensor));
+    const double start = demerit_around(patch, v);
+    Vector_of_doubles step = newton_step(Star_model(patch, v, frame));
+    for(int i = 0; i <= maximum_of_halvings; ++i, step = {step.x / 2, step.y / 2}) {
+      const double length = std::hypot(step.x, step.y);
+      if(length <= least_step)
+        break;
+      if(try_move(patch, v, frame.template point<Point>(step), start))
+        return length;
+    }
     return 0;
   }
 
-  double demerit_around(const Patch& patch, int v, const Point& p) const
+  bool try_move(Patch& patch, int v, const Point& p, double demerit_permitted) const
+  {
+    const typename Patch::Shapes shapes = patch.shapes_around(v, p);
+    double sum = 0;
+    for(const auto& s : shapes)
+      sum += demerit_of_quality(s.quality);
+    if(!(sum < demerit_permitted))
+      return false;
+    const Vertex to(p, m_gt.construct_metric_tensor_2_object()(p));
+    if(!keeps_band(patch, v, to))
+      return false;
+    patch.move(v, to, shapes);
+    return true;
+  }
+
+  static double demerit_around(const Patch& patch, int v)
   {
     double sum = 0;
-    patch.for_each_face_at(v, [&](int f, int i) {
-      const auto& w = patch.faces()[f].vertex;
-      sum += demerit_of_quality(patch.quality(p, patch.vertices()[w[Patch::ccw(i)]].point,
-                                              patch.vertices()[w[Patch::cw(i)]].point));
-    });
+    patch.for_each_face_at(v, [&](int f, int) { sum += demerit_of_quality(patch.faces()[f].shape.quality); });
     return sum;
   }
 
-  template <class Value>
-  static Derivatives derivatives(const Value& value, double middle, double h)
+  static Vector_of_doubles newton_step(const Star_model& star)
   {
-    const double right = value(h, 0), left = value(-h, 0), up = value(0, h), down = value(0, -h);
+    const Derivatives d = derivatives(star, difference);
+    return newton_step(d.is_finite() ? d : derivatives(star, difference / 20)); // next to an almost flat face
+  }
+
+  static Derivatives derivatives(const Star_model& star, double h)
+  {
+    const double middle = star.demerit(0, 0), right = star.demerit(h, 0), left = star.demerit(-h, 0);
+    const double up = star.demerit(0, h), down = star.demerit(0, -h), diagonal = star.demerit(h, h);
     return {(right - left) / (2*h), (up - down) / (2*h), (right - 2*middle + left) / (h*h),
-            (value(h, h) - right - up + middle) / (h*h), (up - 2*middle + down) / (h*h)};
+            (diagonal - right - up + middle) / (h*h), (up - 2*middle + down) / (h*h)};
   }
 
   // Downhill where the demerit is not convex, and none at all where it has no derivatives.
@@ -170,9 +176,9 @@ private:
   }
 
   // whether no edge of v leaves the unit band
-  bool keeps_band(const Patch& patch, int v, const Point& p) const
+  bool keeps_band(const Patch& patch, int v, const Vertex& to) const
   {
-    const Vertex &from = patch.vertices()[v], to(p, m_gt.construct_metric_tensor_2_object()(p));
+    const Vertex& from = patch.vertices()[v];
     bool keeps = true;
     patch.for_each_face_at(v, [&](int f, int i) {
       const Vertex& w = patch.vertices()[patch.faces()[f].vertex[Patch::ccw(i)]];

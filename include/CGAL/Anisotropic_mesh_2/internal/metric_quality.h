@@ -25,14 +25,19 @@ inline double quality_from_gram(const Symmetric_form& gram, double parallelogram
   return std::sqrt(3.) * parallelogram / (gram.a - gram.b + gram.c);
 }
 
+// the quality, in M, of a triangle by its edges (ux, uy) and (vx, vy) from one vertex
+inline double quality_of_edges(double ux, double uy, double vx, double vy, const Symmetric_form& m)
+{
+  return quality_from_gram(Symmetric_form(m(ux, uy), m(ux, uy, vx, vy), m(vx, vy)),
+                           std::sqrt(m.determinant()) * (ux*vy - uy*vx));
+}
+
 // with lengths and areas in M: 1 for a triangle that is equilateral in M, negative for an inverted one
 template <class Point_2>
 double metric_quality(const Point_2& a, const Point_2& b, const Point_2& c, const Symmetric_form& m)
 {
-  const double ux = CGAL::to_double(b.x() - a.x()), uy = CGAL::to_double(b.y() - a.y());
-  const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
-  return quality_from_gram(Symmetric_form(m(ux, uy), m(ux, uy, vx, vy), m(vx, vy)),
-                           std::sqrt(m.determinant()) * (ux*vy - uy*vx));
+  return quality_of_edges(CGAL::to_double(b.x() - a.x()), CGAL::to_double(b.y() - a.y()),
+                          CGAL::to_double(c.x() - a.x()), CGAL::to_double(c.y() - a.y()), m);
 }
 
 // the cotangent, in M, of the smallest angle of a counterclockwise triangle
@@ -45,12 +50,16 @@ double largest_cotangent(const Point_2& a, const Point_2& b, const Point_2& c, c
   return std::max(uv, std::max(uu - uv, vv - uv)) / (std::sqrt(m.determinant()) * (ux*vy - uy*vx));
 }
 
-// with the tensor at the barycentre
+template <class Point_2, class Construct_tensor>
+Symmetric_form metric_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c, const Construct_tensor& tensor)
+{
+  return Symmetric_form(tensor(Point_2((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3)));
+}
+
 template <class Point_2, class Construct_tensor>
 double quality_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c, const Construct_tensor& tensor)
 {
-  const Point_2 barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-  return metric_quality(a, b, c, Symmetric_form(tensor(barycentre)));
+  return metric_quality(a, b, c, metric_at_barycentre(a, b, c, tensor));
 }
 
 } // namespace internal
