@@ -53,12 +53,15 @@ public:
 
   // Moves those vertices in turn that have a face of less quality than
   // `threshold`, and flips. Gives up, and returns false, as soon as it does not
-  // look as if a demerit of `goal` was within reach.
+  // look as if a demerit of `goal` was within reach: each sweep brings less than
+  // the one before.
   bool operator()(Patch& patch, double threshold, double goal) const
   {
     m_flip(patch);
     std::vector<bool> moved(patch.number_of_vertices(), true);
     double before = demerit(patch);
+    if(before > hopeless_at_first * goal)
+      return false;
     for(int i = 0; i < maximum_of_sweeps; ++i) {
       moved = sweep(patch, threshold, moved);
       if(m_flip(patch))
@@ -66,7 +69,7 @@ public:
       else if(std::find(moved.begin(), moved.end(), true) == moved.end())
         break;
       const double after = demerit(patch);
-      if(after - goal > before - after) // each sweep brings less than the one before
+      if(after > hopeless * goal || after - goal > before - after)
         return false;
       before = after;
     }
@@ -84,6 +87,8 @@ public:
 
 private:
   static constexpr int    maximum_of_sweeps = 5;
+  static constexpr double hopeless_at_first = 6; // times the goal
+  static constexpr double hopeless = 1.5;        // after a sweep
   static constexpr double difference = 0.02;   // between the places that are compared, in the metric
   static constexpr double longest_step = 0.2;
   static constexpr double least_step = 0.003;  // less does not count as a move
