@@ -9,15 +9,14 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/Mesh_patch.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Patch_flipper.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Star_model.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Unit_band.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Unit_frame.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
-#include <CGAL/Anisotropic_mesh_2/internal/demerit.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -27,8 +26,9 @@ namespace internal {
 // Lowers the demerit of a patch, the sum of q^-6 - 1 over the qualities of its
 // faces, by moves of its free vertices and by flips.
 //
-// Where to move is decided by a model; the field is only evaluated where a
-// vertex then comes to lie.
+// Of good faces it is a multiple of what their qualities lack of 1, of bad ones
+// much more: so neither the mean nor the least quality is bought too dearly
+// with the other.
 template <class Mesh>
 class Patch_relaxation
 {
@@ -36,10 +36,10 @@ class Patch_relaxation
   typedef typename Patch::Point    Point;
   typedef typename Patch::Vertex   Vertex;
 
-  // the derivatives of the demerit at a vertex, in its frame
+  // the derivatives of the demerit by the place of a vertex, in its frame
   struct Derivatives
   {
-    double x, y, xx, xy, yy;
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
     bool is_finite() const { return std::isfinite(x + y + xx + xy + yy); }
     double determinant() const { return xx*yy - xy*xy; }
@@ -88,11 +88,15 @@ public:
 private:
   static constexpr int    maximum_of_sweeps = 5;
   static constexpr double hopeless_at_first = 6; // times the goal
-  static constexpr double hopeless = 1.5;        // after a sweep
-  static constexpr double difference = 0.02;   // between the places that are compared, in the metric
+  static constexpr double hopeless = 1.5;          // after a sweep
   static constexpr double longest_step = 0.2;
-  static constexpr double least_step = 0.003;  // less does not count as a move
-  static constexpr int    maximum_of_halvings = 3;
+  static constexpr double least_step = 0.003; // shorter ones are not worth their evaluations
+  static constexpr int    maximum_of_attempts = 2;
+
+  static double demerit_of_quality(double q)
+  {
+    return q > 0 ? 1 / ((q*q*q) * (q*q*q)) - 1 : std::numeric_limits<double>::infinity();
+  }
 
   // Moves vertices that have moved lately, or whose neighbors have; returns which did.
   std::vector<bool> sweep(Patch& patch, double threshold, const std::vector<bool>& moved) const
@@ -108,26 +112,23 @@ private:
         least = std::min(least, face.shape.quality);
         is_near_move = is_near_move || moved[face.vertex[Patch::ccw(i)]];
       });
-      result[v] = is_near_move && least < threshold && move(patch, v) > least_step;
+      result[v] = is_near_move && least < threshold && move(patch, v);
     }
     return result;
   }
 
-  // A step of Newton's method, shortened until the demerit falls; returns its metric length.
-  double move(Patch& patch, int v) const
+  // A step of Newton's method, shortened if the demerit does not fall; returns whether there was one.
+  bool move(Patch& patch, int v) const
   {
-    const Vertex& old = patch.vertices()[v];
-    const Unit_frame frame(old.point, Symmetric_form(old.tensor));
+    const Unit_frame frame(patch.vertices()[v].point, Symmetric_form(patch.vertices()[v].tensor));
     const double start = demerit_around(patch, v);
-    Vector_of_doubles step = newton_step(Star_model(patch, v, frame));
-    for(int i = 0; i <= maximum_of_halvings; ++i, step = {step.x / 2, step.y / 2}) {
-      const double length = std::hypot(step.x, step.y);
-      if(length <= least_step)
-        break;
+    Vector_of_doubles step = newton_step(derivatives(patch, v, frame));
+    for(int i = 0; i < maximum_of_attempts && std::hypot(step.x, step.y) > least_step; ++i) {
       if(try_move(patch, v, frame.template point<Point>(step), start))
-        return length;
+        return true;
+      step = {step.x / 4, step.y / 4};
     }
-    return 0;
+    return false;
   }
 
   bool try_move(Patch& patch, int v, const Point& p, double demerit_permitted) const
@@ -152,18 +153,33 @@ private:
     return sum;
   }
 
-  static Vector_of_doubles newton_step(const Star_model& star)
+  // As if each face kept its tensor: that needs no evaluation of the field, and where the step leads is checked.
+  static Derivatives derivatives(const Patch& patch, int v, const Unit_frame& frame)
   {
-    const Derivatives d = derivatives(star, difference);
-    return newton_step(d.is_finite() ? d : derivatives(star, difference / 20)); // next to an almost flat face
+    Derivatives sum;
+    patch.for_each_face_at(v, [&](int f, int i) {
+      const auto& face = patch.faces()[f];
+      add_derivatives(sum, face.shape.quality, frame.in_frame(face.shape.metric),
+                      frame.in_frame(patch.vertices()[face.vertex[Patch::ccw(i)]].point),
+                      frame.in_frame(patch.vertices()[face.vertex[Patch::cw(i)]].point));
+    });
+    return sum;
   }
 
-  static Derivatives derivatives(const Star_model& star, double h)
+  // Those of q^-6, where q is a multiple of A/S, of the area of a triangle 0, u, v and the sum of its squared edges.
+  static void add_derivatives(Derivatives& d, double q, const Symmetric_form& m,
+                              const Vector_of_doubles& u, const Vector_of_doubles& v)
   {
-    const double middle = star.demerit(0, 0), right = star.demerit(h, 0), left = star.demerit(-h, 0);
-    const double up = star.demerit(0, h), down = star.demerit(0, -h), diagonal = star.demerit(h, h);
-    return {(right - left) / (2*h), (up - down) / (2*h), (right - 2*middle + left) / (h*h),
-            (diagonal - right - up + middle) / (h*h), (up - 2*middle + down) / (h*h)};
+    const double f = 6 * (demerit_of_quality(q) + 1);
+    const double a = u.x*v.y - u.y*v.x, s = m(u.x, u.y) + m(v.x, v.y) + m(u.x - v.x, u.y - v.y);
+    const double ax = (u.y - v.y) / a, ay = (v.x - u.x) / a; // derivatives of log A and log S
+    const double sx = -2 * m(u.x + v.x, u.y + v.y, 1, 0) / s, sy = -2 * m(u.x + v.x, u.y + v.y, 0, 1) / s;
+    const double x = sx - ax, y = sy - ay;
+    d.x += f * x;
+    d.y += f * y;
+    d.xx += f * (6*x*x + 4*m.a/s - sx*sx + ax*ax);
+    d.xy += f * (6*x*y + 4*m.b/s - sx*sy + ax*ay);
+    d.yy += f * (6*y*y + 4*m.c/s - sy*sy + ay*ay);
   }
 
   // Downhill where the demerit is not convex, and none at all where it has no derivatives.

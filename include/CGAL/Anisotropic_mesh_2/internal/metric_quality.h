@@ -25,19 +25,14 @@ inline double quality_from_gram(const Symmetric_form& gram, double parallelogram
   return std::sqrt(3.) * parallelogram / (gram.a - gram.b + gram.c);
 }
 
-// the quality, in M, of a triangle by its edges (ux, uy) and (vx, vy) from one vertex
-inline double quality_of_edges(double ux, double uy, double vx, double vy, const Symmetric_form& m)
-{
-  return quality_from_gram(Symmetric_form(m(ux, uy), m(ux, uy, vx, vy), m(vx, vy)),
-                           std::sqrt(m.determinant()) * (ux*vy - uy*vx));
-}
-
 // with lengths and areas in M: 1 for a triangle that is equilateral in M, negative for an inverted one
 template <class Point_2>
 double metric_quality(const Point_2& a, const Point_2& b, const Point_2& c, const Symmetric_form& m)
 {
-  return quality_of_edges(CGAL::to_double(b.x() - a.x()), CGAL::to_double(b.y() - a.y()),
-                          CGAL::to_double(c.x() - a.x()), CGAL::to_double(c.y() - a.y()), m);
+  const double ux = CGAL::to_double(b.x() - a.x()), uy = CGAL::to_double(b.y() - a.y());
+  const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
+  return quality_from_gram(Symmetric_form(m(ux, uy), m(ux, uy, vx, vy), m(vx, vy)),
+                           std::sqrt(m.determinant()) * (ux*vy - uy*vx));
 }
 
 // the cotangent, in M, of the smallest angle of a counterclockwise triangle
