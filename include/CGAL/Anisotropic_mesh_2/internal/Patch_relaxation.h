@@ -90,8 +90,8 @@ private:
   static constexpr double hopeless_at_first = 6; // times the goal
   static constexpr double hopeless = 1.5;          // after a sweep
   static constexpr double longest_step = 0.2;
-  static constexpr double least_step = 0.003; // shorter ones are not worth their evaluations
-  static constexpr int    maximum_of_attempts = 2;
+  static constexpr double least_step = 0.001; // shorter ones are not worth their evaluations
+  static constexpr int    maximum_of_attempts = 3;
 
   static double demerit_of_quality(double q)
   {
