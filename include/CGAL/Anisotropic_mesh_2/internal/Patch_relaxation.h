@@ -87,10 +87,10 @@ public:
 
 private:
   static constexpr int    maximum_of_sweeps = 5;
-  static constexpr double hopeless_at_first = 6; // times the goal
-  static constexpr double hopeless = 1.5;          // after a sweep
+  static constexpr double hopeless_at_first = 6; // times the goal: from there few tries are accepted
+  static constexpr double hopeless = 1.5;        // the same after a sweep
   static constexpr double longest_step = 0.2;
-  static constexpr double least_step = 0.001; // shorter ones are not worth their evaluations
+  static constexpr double least_step = 0.001;    // shorter ones are not worth their evaluations
   static constexpr int    maximum_of_attempts = 3;
 
   static double demerit_of_quality(double q)
