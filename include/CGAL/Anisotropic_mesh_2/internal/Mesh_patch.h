@@ -56,6 +56,8 @@ public:
     Vertex_handle beyond;
   };
 
+  typedef std::vector<Shape> Shapes;
+
   // The given faces of the mesh, which edges that are not constrained connect.
   Mesh_patch(const Mesh& mesh, const std::vector<Face_handle>& faces)
     : m_mesh(&mesh)
@@ -64,7 +66,7 @@ public:
       copy_face(f);
     connect(faces);
     for(int f = 0; f < number_of_faces(); ++f)
-      update_quality(f);
+      update_shape(f);
   }
 
   const std::vector<Vertex>&   vertices() const { return m_vertices; }
@@ -73,17 +75,30 @@ public:
   // whether a vertex may move
   bool is_free(int v) const { return m_vertices[v].is_free && !is_removed(v); }
 
-  // in the metric at the barycentre; negative unless counterclockwise
-  double quality(int u, int v, int w) const
+  Shape shape(int u, int v, int w) const
   {
-    return quality(m_vertices[u].point, m_vertices[v].point, m_vertices[w].point);
+    return shape(m_vertices[u].point, m_vertices[v].point, m_vertices[w].point);
   }
 
-  double quality(const Point& a, const Point& b, const Point& c) const
+  Shape shape(const Point& a, const Point& b, const Point& c) const
   {
+    Shape result;
     if(m_mesh->orientation(a, b, c) != LEFT_TURN)
-      return -1; // its barycentre may be where the field has no value
-    return quality_at_barycentre(a, b, c, m_mesh->geom_traits().construct_metric_tensor_2_object());
+      return result; // its barycentre may be where the field has no value
+    result.metric = metric_at_barycentre(a, b, c, m_mesh->geom_traits().construct_metric_tensor_2_object());
+    result.quality = metric_quality(a, b, c, result.metric);
+    return result;
+  }
+
+  // the shapes that the faces of a free vertex have after a move
+  Shapes shapes_around(int v, const Point& p) const
+  {
+    Shapes result;
+    for_each_face_at(v, [&](int f, int i) {
+      const auto& w = faces()[f].vertex;
+      result.push_back(shape(p, m_vertices[w[ccw(i)]].point, m_vertices[w[cw(i)]].point));
+    });
+    return result;
   }
 
   double least_quality() const
@@ -91,7 +106,7 @@ public:
     double least = std::numeric_limits<double>::infinity();
     for(const Face& f : faces())
       if(f.is_used)
-        least = std::min(least, f.quality);
+        least = std::min(least, f.shape.quality);
     return least;
   }
 
@@ -106,11 +121,15 @@ public:
   }
 
   // Moves a free vertex.
-  void move(int v, const Point& p)
+  void move(int v, const Point& p) { move(v, Vertex(p, tensor(p)), shapes_around(v, p)); }
+
+  // Moves it to the place of `to`, where its faces have the given shapes.
+  void move(int v, const Vertex& to, const Shapes& shapes)
   {
-    m_vertices[v].tensor = tensor(p);
-    m_vertices[v].point = p;
-    for_each_face_at(v, [&](int f, int) { update_quality(f); });
+    m_vertices[v].point = to.point;
+    m_vertices[v].tensor = to.tensor;
+    auto shape = shapes.begin();
+    for_each_face_at(v, [&](int f, int) { m_faces[f].shape = *shape++; });
   }
 
   // Replaces an edge that is not on the rim; the faces keep their numbers.
@@ -118,8 +137,8 @@ public:
   {
     const int g = faces()[f].neighbor[i];
     flip_edge(f, i);
-    update_quality(f);
-    update_quality(g);
+    update_shape(f);
+    update_shape(g);
   }
 
   // Divides a face into three at `p`, which may lie on the edge opposite to the
@@ -129,11 +148,11 @@ public:
     m_vertices.push_back(Vertex(p, tensor(p)));
     split_face(f);
     for(int g : {f, number_of_faces() - 2, number_of_faces() - 1})
-      update_quality(g);
+      update_shape(g);
   }
 
   // Removes a free vertex of degree 3.
-  void unite(int v) { update_quality(unite_faces(v)); }
+  void unite(int v) { update_shape(unite_faces(v)); }
 
 private:
   Metric_tensor_2 tensor(const Point& p) const
@@ -146,10 +165,10 @@ private:
     return m_mesh->orientation(m_vertices[u].point, m_vertices[v].point, m_vertices[w].point) == LEFT_TURN;
   }
 
-  void update_quality(int f)
+  void update_shape(int f)
   {
     Face& face = m_faces[f];
-    face.quality = quality(face.vertex[0], face.vertex[1], face.vertex[2]);
+    face.shape = shape(face.vertex[0], face.vertex[1], face.vertex[2]);
   }
 
   void copy_face(Face_handle f)

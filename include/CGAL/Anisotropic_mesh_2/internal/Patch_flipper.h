@@ -8,7 +8,9 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_PATCH_FLIPPER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/Mesh_patch.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Unit_band.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
 
 #include <CGAL/enum.h>
 
@@ -28,6 +30,7 @@ template <class Mesh>
 class Patch_flipper
 {
   typedef Mesh_patch<Mesh>               Patch;
+  typedef typename Patch::Point          Point;
   typedef typename Patch::Vertex         Vertex;
   typedef typename Patch::Face           Face;
   typedef typename Patch::Rim_edge       Rim_edge;
@@ -44,7 +47,7 @@ public:
       before = flips;
       for(int f = 0; f < patch.number_of_faces(); ++f)
         for(int i = 0; i < 3; ++i)
-          if(patch.faces()[f].is_used && is_wanted(patch, f, i)) {
+          if(patch.faces()[f].is_used && patch.faces()[f].neighbor[i] > f && is_wanted(patch, f, i)) {
             patch.flip(f, i);
             ++flips;
           }
@@ -63,6 +66,7 @@ public:
 
 private:
   static constexpr double least_rise = 1e-6; // of a quality, so that flips come to an end
+  static constexpr double doubt = 0.8;       // about a quality in the tensor of other faces
 
   bool is_wanted(const Patch& patch, int f, int i) const
   {
@@ -74,8 +78,21 @@ private:
     const auto& v = patch.vertices();
     if(are_multiples(v[p], v[a], v[b], v[q]))
       return is_in_conflict(v[p], v[a], v[b], v[q]);
-    return std::min(patch.quality(p, a, q), patch.quality(q, b, p)) > std::min(face.quality, other.quality) + least_rise
+    const double least = std::min(face.shape.quality, other.shape.quality) + least_rise;
+    return looks_better(patch, f, i, least)
+        && std::min(patch.shape(p, a, q).quality, patch.shape(q, b, p).quality) > least
         && (m_band.permits(v[p], v[q]) || !m_band.permits(v[a], v[b]));
+  }
+
+  // whether a flip might lead to a quality of `least`, by the tensors of the two faces as they are
+  static bool looks_better(const Patch& patch, int f, int i, double least)
+  {
+    const Face &face = patch.faces()[f], &other = patch.faces()[face.neighbor[i]];
+    const Symmetric_form m = 0.5 * (face.shape.metric + other.shape.metric);
+    const auto point = [&](int w) -> const Point& { return patch.vertices()[w].point; };
+    const Point &p = point(face.vertex[i]), &q = point(patch.opposite(f, i));
+    const Point &a = point(face.vertex[Patch::ccw(i)]), &b = point(face.vertex[Patch::cw(i)]);
+    return std::min(metric_quality(p, a, q, m), metric_quality(q, b, p, m)) > doubt * least;
   }
 
   bool is_to_be_flipped(const Patch& patch, const Rim_edge& e) const

@@ -137,7 +137,7 @@ private:
   static double quality_cut_off(const Patch& patch, int f, int e)
   {
     const std::array<int, 3>& v = patch.faces()[f].vertex;
-    return patch.quality(v[e], v[Patch::ccw(e)], patch.opposite(f, e));
+    return patch.shape(v[e], v[Patch::ccw(e)], patch.opposite(f, e)).quality;
   }
 
   const Patch&                 m_start;

@@ -11,8 +11,8 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Patch_flipper.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Unit_band.h>
+#include <CGAL/Anisotropic_mesh_2/internal/Unit_frame.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,10 +36,10 @@ class Patch_relaxation
   typedef typename Patch::Point    Point;
   typedef typename Patch::Vertex   Vertex;
 
-  // the derivatives of the demerit at a vertex, in a basis that is orthonormal in its metric
+  // the derivatives of the demerit by the place of a vertex, in its frame
   struct Derivatives
   {
-    double x, y, xx, xy, yy;
+    double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
 
     bool is_finite() const { return std::isfinite(x + y + xx + xy + yy); }
     double determinant() const { return xx*yy - xy*xy; }
@@ -53,12 +53,15 @@ public:
 
   // Moves those vertices in turn that have a face of less quality than
   // `threshold`, and flips. Gives up, and returns false, as soon as it does not
-  // look as if a demerit of `goal` was within reach.
+  // look as if a demerit of `goal` was within reach: each sweep brings less than
+  // the one before.
   bool operator()(Patch& patch, double threshold, double goal) const
   {
     m_flip(patch);
     std::vector<bool> moved(patch.number_of_vertices(), true);
     double before = demerit(patch);
+    if(before > hopeless_at_first * goal)
+      return false;
     for(int i = 0; i < maximum_of_sweeps; ++i) {
       moved = sweep(patch, threshold, moved);
       if(m_flip(patch))
@@ -66,7 +69,7 @@ public:
       else if(std::find(moved.begin(), moved.end(), true) == moved.end())
         break;
       const double after = demerit(patch);
-      if(after - goal > before - after) // each sweep brings less than the one before
+      if(after > hopeless * goal || after - goal > before - after)
         return false;
       before = after;
     }
@@ -78,16 +81,17 @@ public:
     double sum = 0;
     for(const auto& f : patch.faces())
       if(f.is_used)
-        sum += demerit_of_quality(f.quality);
+        sum += demerit_of_quality(f.shape.quality);
     return sum;
   }
 
 private:
   static constexpr int    maximum_of_sweeps = 5;
-  static constexpr double difference = 0.02;   // between the places that are compared, in the metric
+  static constexpr double hopeless_at_first = 6; // times the goal: from there few tries are accepted
+  static constexpr double hopeless = 1.5;        // the same after a sweep
   static constexpr double longest_step = 0.2;
-  static constexpr double least_step = 0.003;  // less does not count as a move
-  static constexpr int    maximum_of_halvings = 3;
+  static constexpr double least_step = 0.001;    // shorter ones are not worth their evaluations
+  static constexpr int    maximum_of_attempts = 3;
 
   static double demerit_of_quality(double q)
   {
@@ -105,54 +109,77 @@ private:
       double least = 1;
       patch.for_each_face_at(v, [&](int f, int i) {
         const auto& face = patch.faces()[f];
-        least = std::min(least, face.quality);
+        least = std::min(least, face.shape.quality);
         is_near_move = is_near_move || moved[face.vertex[Patch::ccw(i)]];
       });
-      result[v] = is_near_move && least < threshold && move(patch, v) > least_step;
+      result[v] = is_near_move && least < threshold && move(patch, v);
     }
     return result;
   }
 
-  // A step of Newton's method, shortened until the demerit falls; returns its metric length.
-  double move(Patch& patch, int v) const
+  // A step of Newton's method, shortened if the demerit does not fall; returns whether there was one.
+  bool move(Patch& patch, int v) const
   {
-    const Vertex old = patch.vertices()[v];
-    const Vector_of_doubles z = to_doubles(old.point);
-    const Symmetric_form m(old.tensor);
-    const double e1 = 1 / std::sqrt(m.a), e2 = std::sqrt(m.a / m.determinant()), e12 = -m.b / m.a * e2;
-    const auto at = [&](double s, double t) { return point_at<Point>(z.x + s*e1 + t*e12, z.y + t*e2); };
-    const auto value = [&](double s, double t) { return demerit_around(patch, v, at(s, t)); };
-
-    const double start = value(0, 0);
-    Derivatives d = derivatives(value, start, difference);
-    if(!d.is_finite()) // next to an almost flat face
-      d = derivatives(value, start, difference / 20);
-    Vector_of_doubles step = newton_step(d);
-    for(int i = 0; i <= maximum_of_halvings; ++i, step.x /= 2, step.y /= 2)
-      if(value(step.x, step.y) < start && keeps_band(patch, v, at(step.x, step.y))) {
-        patch.move(v, at(step.x, step.y));
-        return std::hypot(step.x, step.y);
-      }
-    return 0;
+    const Unit_frame frame(patch.vertices()[v].point, Symmetric_form(patch.vertices()[v].tensor));
+    const double start = demerit_around(patch, v);
+    Vector_of_doubles step = newton_step(derivatives(patch, v, frame));
+    for(int i = 0; i < maximum_of_attempts && std::hypot(step.x, step.y) > least_step; ++i) {
+      if(try_move(patch, v, frame.template point<Point>(step), start))
+        return true;
+      step = {step.x / 4, step.y / 4};
+    }
+    return false;
   }
 
-  double demerit_around(const Patch& patch, int v, const Point& p) const
+  bool try_move(Patch& patch, int v, const Point& p, double demerit_permitted) const
+  {
+    const typename Patch::Shapes shapes = patch.shapes_around(v, p);
+    double sum = 0;
+    for(const auto& s : shapes)
+      sum += demerit_of_quality(s.quality);
+    if(!(sum < demerit_permitted))
+      return false;
+    const Vertex to(p, m_gt.construct_metric_tensor_2_object()(p));
+    if(!keeps_band(patch, v, to))
+      return false;
+    patch.move(v, to, shapes);
+    return true;
+  }
+
+  static double demerit_around(const Patch& patch, int v)
   {
     double sum = 0;
+    patch.for_each_face_at(v, [&](int f, int) { sum += demerit_of_quality(patch.faces()[f].shape.quality); });
+    return sum;
+  }
+
+  // As if each face kept its tensor: that needs no evaluation of the field, and where the step leads is checked.
+  static Derivatives derivatives(const Patch& patch, int v, const Unit_frame& frame)
+  {
+    Derivatives sum;
     patch.for_each_face_at(v, [&](int f, int i) {
-      const auto& w = patch.faces()[f].vertex;
-      sum += demerit_of_quality(patch.quality(p, patch.vertices()[w[Patch::ccw(i)]].point,
-                                              patch.vertices()[w[Patch::cw(i)]].point));
+      const auto& face = patch.faces()[f];
+      add_derivatives(sum, face.shape.quality, frame.in_frame(face.shape.metric),
+                      frame.in_frame(patch.vertices()[face.vertex[Patch::ccw(i)]].point),
+                      frame.in_frame(patch.vertices()[face.vertex[Patch::cw(i)]].point));
     });
     return sum;
   }
 
-  template <class Value>
-  static Derivatives derivatives(const Value& value, double middle, double h)
+  // Those of q^-6, where q is a multiple of A/S, of the area of a triangle 0, u, v and the sum of its squared edges.
+  static void add_derivatives(Derivatives& d, double q, const Symmetric_form& m,
+                              const Vector_of_doubles& u, const Vector_of_doubles& v)
   {
-    const double right = value(h, 0), left = value(-h, 0), up = value(0, h), down = value(0, -h);
-    return {(right - left) / (2*h), (up - down) / (2*h), (right - 2*middle + left) / (h*h),
-            (value(h, h) - right - up + middle) / (h*h), (up - 2*middle + down) / (h*h)};
+    const double f = 6 * (demerit_of_quality(q) + 1);
+    const double a = u.x*v.y - u.y*v.x, s = m(u.x, u.y) + m(v.x, v.y) + m(u.x - v.x, u.y - v.y);
+    const double ax = (u.y - v.y) / a, ay = (v.x - u.x) / a; // derivatives of log A and log S
+    const double sx = -2 * m(u.x + v.x, u.y + v.y, 1, 0) / s, sy = -2 * m(u.x + v.x, u.y + v.y, 0, 1) / s;
+    const double x = sx - ax, y = sy - ay;
+    d.x += f * x;
+    d.y += f * y;
+    d.xx += f * (6*x*x + 4*m.a/s - sx*sx + ax*ax);
+    d.xy += f * (6*x*y + 4*m.b/s - sx*sy + ax*ay);
+    d.yy += f * (6*y*y + 4*m.c/s - sy*sy + ay*ay);
   }
 
   // Downhill where the demerit is not convex, and none at all where it has no derivatives.
@@ -170,9 +197,9 @@ private:
   }
 
   // whether no edge of v leaves the unit band
-  bool keeps_band(const Patch& patch, int v, const Point& p) const
+  bool keeps_band(const Patch& patch, int v, const Vertex& to) const
   {
-    const Vertex &from = patch.vertices()[v], to(p, m_gt.construct_metric_tensor_2_object()(p));
+    const Vertex& from = patch.vertices()[v];
     bool keeps = true;
     patch.for_each_face_at(v, [&](int f, int i) {
       const Vertex& w = patch.vertices()[patch.faces()[f].vertex[Patch::ccw(i)]];

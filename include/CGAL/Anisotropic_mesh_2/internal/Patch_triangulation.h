@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_PATCH_TRIANGULATION_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_PATCH_TRIANGULATION_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
+
 #include <CGAL/assertions.h>
 
 #include <array>
@@ -17,16 +19,24 @@ namespace Anisotropic_mesh_2 {
 namespace internal {
 
 // The combinatorics of a few triangles: numbered faces and vertices, without
-// geometry. An edge with a face on one side only is on the *rim*.
+// geometry but for what is noted at the faces. An edge with a face on one side
+// only is on the *rim*.
 class Patch_triangulation
 {
 public:
   static constexpr int none = -1;
 
+  // the tensor at the barycentre of a face, and the quality in it, negative unless counterclockwise
+  struct Shape
+  {
+    Symmetric_form metric;
+    double         quality = -1;
+  };
+
   struct Face
   {
     std::array<int, 3> vertex, neighbor;
-    double             quality = 0;
+    Shape              shape;
     bool               is_used = true;
 
     int index(int v) const { return vertex[0] == v ? 0 : vertex[1] == v ? 1 : 2; }

@@ -45,12 +45,16 @@ double largest_cotangent(const Point_2& a, const Point_2& b, const Point_2& c, c
   return std::max(uv, std::max(uu - uv, vv - uv)) / (std::sqrt(m.determinant()) * (ux*vy - uy*vx));
 }
 
-// with the tensor at the barycentre
+template <class Point_2, class Construct_tensor>
+Symmetric_form metric_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c, const Construct_tensor& tensor)
+{
+  return Symmetric_form(tensor(Point_2((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3)));
+}
+
 template <class Point_2, class Construct_tensor>
 double quality_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c, const Construct_tensor& tensor)
 {
-  const Point_2 barycentre((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3);
-  return metric_quality(a, b, c, Symmetric_form(tensor(barycentre)));
+  return metric_quality(a, b, c, metric_at_barycentre(a, b, c, tensor));
 }
 
 } // namespace internal
