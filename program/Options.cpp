@@ -125,7 +125,7 @@ void declare_output(CLI::App& app, Options& options, Raw_options& raw)
     ->type_name("FILE")->group(group)->allow_extra_args(false);
   app.add_option("--voronoi", options.voronoi, "a picture of the tessellation")
     ->type_name("FILE.svg")->group(group);
-  app.add_option("--stats", options.stats, "statistics, - for standard output")
+  app.add_option("--stats", options.stats, "statistics, - for standard output, which is the default if no output is asked for")
     ->type_name("FILE.json")->group(group);
   app.add_flag("--quiet", raw.quiet, "no progress on standard error")->group(group);
   app.add_flag("--verbose", raw.verbose, "progress on standard error even if it is no terminal")
@@ -147,6 +147,8 @@ void understand_outputs(const Raw_options& raw, Options& options)
 {
   for(const std::string& path : raw.outputs)
     options.meshes.push_back(output_of(path));
+  if(options.meshes.empty() && options.voronoi.empty() && options.stats.empty())
+    options.stats = "-";
   if(!options.voronoi.empty() && extension_of(options.voronoi) != ".svg")
     throw Unusable_input("--voronoi " + options.voronoi + ": the extension is not .svg");
 
@@ -267,6 +269,10 @@ Options parse_options(int argc, const char* const* argv)
                  "a file .poly or .mesh, or builtin:NAME (disc, square4, square10, layer10, parallelogram; "
                  "the surfaces ellipsoid, paraboloid, torus, saddle-sizes, saddle-curvature)")
     ->required()->type_name("");
+  app.footer("Formulas have + - * / ^, comparisons, c ? a : b, pi, and the functions sin cos tan asin acos atan atan2\n"
+             "sinh cosh tanh asinh acosh atanh exp log (natural) log10 log2 pow sqrt abs sign rint min max sum avg.\n"
+             "The exit status is 0 when done, 1 if the work failed, 2 for arguments or input that cannot be used.\n\n"
+             "Example: anisotropic_mesh_2 builtin:layer10 -o layer.mesh -o layer.svg --voronoi cells.svg --stats -");
   app.set_version_flag("--version", "anisotropic_mesh_2 " ANISOTROPIC_MESH_2_VERSION);
   declare_metric(app, raw, options.scale);
   declare_methods(app, options);
@@ -281,6 +287,10 @@ Options parse_options(int argc, const char* const* argv)
   catch(const CLI::CallForVersion& e) {
     options.answer = std::string(e.what()) + "\n";
     return options;
+  }
+  catch(const CLI::ExtrasError&) { // its message lists them backwards
+    const std::string extra = app.remaining().front();
+    throw Unusable_input("\"" + extra + "\": " + (extra.compare(0, 1, "-") == 0 ? "unknown option" : "one argument too many"));
   }
   catch(const CLI::ParseError& e) {
     throw Unusable_input(e.what());

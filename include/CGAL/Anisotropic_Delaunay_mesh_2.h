@@ -119,7 +119,7 @@ public:
     mark_domain();
   }
 
-  /// inserts the vertices and the constrained edges of a triangulation of CGAL, and marks the domain as it is there.
+  /// inserts the vertices and the constrained edges of a triangulation of \cgal, and marks the domain as it is there.
   /// Constrained edges get the reference 1.
   /// \tparam Triangulation an instance of `Constrained_triangulation_2` or of a class derived from it, whose points are those
   /// of the mesh and whose faces are models of `DelaunayMeshFaceBase_2`, like those of a `Delaunay_mesher_2`.

@@ -26,7 +26,8 @@ namespace CGAL {
 ///
 /// The factor is \f$ g(\epsilon) = 2 \sqrt{\epsilon (2 - \epsilon)} \f$: the chord of this
 /// length in a circle of radius 1 has the arc at most \f$ \epsilon \f$ away. So unit
-/// edges are as far from the surface as \f$ \epsilon \f$ times the radius of curvature in their direction.
+/// edges are as far from the surface as \f$ \epsilon \f$ times the radius of curvature in their direction, and
+/// triangles of unit edges up to 4/3 times as far where the surface is like a sphere.
 ///
 /// Sizes are kept between two bounds, which flat places need, and the ratio of the two sizes in the tangent
 /// plane too. Along the normal the size is the smaller one of these.

@@ -7,7 +7,8 @@
 #ifndef CGAL_INVALID_METRIC_TENSOR_EXCEPTION_H
 #define CGAL_INVALID_METRIC_TENSOR_EXCEPTION_H
 
-#include <sstream>
+#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -31,10 +32,7 @@ public:
   /// returns the same complaint, telling that it arose at `(x, y)`.
   Invalid_metric_tensor_exception at(double x, double y) const
   {
-    std::ostringstream os;
-    os.precision(17);
-    os << what() << " at the point (" << x << ", " << y << ")";
-    return Invalid_metric_tensor_exception(os.str());
+    return Invalid_metric_tensor_exception(what() + (" at the point " + Anisotropic_mesh_2::internal::describe(x, y)));
   }
 };
 

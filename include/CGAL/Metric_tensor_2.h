@@ -8,6 +8,7 @@
 #define CGAL_METRIC_TENSOR_2_H
 
 #include <CGAL/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/difference_of_products.h>
 
 #include <CGAL/assertions.h>
@@ -16,7 +17,7 @@
 #include <array>
 #include <cmath>
 #include <ostream>
-#include <sstream>
+#include <string>
 
 namespace CGAL {
 
@@ -26,9 +27,9 @@ namespace CGAL {
 /// a point of the plane (section 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The vectors of length 1 form an ellipse. Its two half axes are the *sizes*
-/// `h1` and `h2`, and the angle `theta` turns the first axis of coordinates
+/// `h1` and `h2`, and the angle \f$ \theta \f$ turns the first axis of coordinates
 /// onto the axis of `h1`:
-/// \f$ M = R^T \mathrm{diag}(h_1^{-2}, h_2^{-2}) R \f$.
+/// \f$ M = R^T \mathrm{diag}(h_1^{-2}, h_2^{-2}) R \f$ with the rotation \f$ R \f$ by \f$ -\theta \f$.
 ///
 /// No invalid tensor can be built: every way to build one from numbers throws
 /// `Invalid_metric_tensor_exception` unless the result is finite and positive
@@ -99,7 +100,12 @@ public:
 
   /// the isotropic tensor of size `h`.
   /// \throw Invalid_metric_tensor_exception if `h` is not positive or not finite, or if the entries overflow.
-  static Metric_tensor_2 from_size(const FT& h) { return from_sizes(h, h); }
+  static Metric_tensor_2 from_size(const FT& h)
+  {
+    if(!is_size(h))
+      refuse("the metric of size ", h);
+    return from_sizes(h, h);
+  }
 
   /// the tensor whose matrix logarithm has the entries `l`, in the order of `logarithm()`.
   /// \throw Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of
@@ -233,17 +239,18 @@ private:
   }
 
   template <class Number>
-  static double printable(const Number& x) { return CGAL::to_double(x); }
-  static const char* printable(const char* s) { return s; }
+  static std::string text(const Number& x) { return Anisotropic_mesh_2::internal::describe(CGAL::to_double(x)); }
+  static std::string text(const char* s) { return s; }
+
+  template <class Number>
+  static bool is_finite(const Number& x) { return CGAL::is_finite(x); }
+  static bool is_finite(const char*) { return true; }
 
   template <class... Parts>
   [[noreturn]] static void refuse(const Parts&... parts)
   {
-    std::ostringstream os;
-    os.precision(17);
-    (os << ... << printable(parts));
-    os << " is not positive definite";
-    throw Invalid_metric_tensor_exception(os.str());
+    throw Invalid_metric_tensor_exception((text(parts) + ...)
+      + ((is_finite(parts) && ...) ? " is not positive definite" : " is not finite"));
   }
 
   FT m_11, m_12, m_22;

@@ -106,7 +106,8 @@ private:
   static FT eigenvalue(const FT& size)
   {
     if(!(CGAL::is_finite(size) && size > 0))
-      throw Invalid_metric_tensor_exception("the metric with the size " + describe(size) + " is not positive definite");
+      throw Invalid_metric_tensor_exception("the metric with the size " + describe(size)
+                                            + (CGAL::is_finite(size) ? " is not positive definite" : " is not finite"));
     return FT(1) / (size*size);
   }
 

@@ -86,9 +86,9 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 ///
 /// See \ref AnisotropicMesh2NamedParameters for all of them.
 ///
-/// \return why it stopped, as `lloyd_optimize_anisotropic_mesh_2()`, and
-/// `CANT_IMPROVE_ANYMORE` if no step lowers the energy within the accuracy to
-/// which it is evaluated. The mesh is valid in each case.
+/// \return why the moves of the first kind stopped: a `Mesh_optimization_return_code` of \cgal, as
+/// `lloyd_optimize_anisotropic_mesh_2()` returns it; `CANT_IMPROVE_ANYMORE` also if no step lowers the energy within
+/// the accuracy to which it is evaluated. The mesh is valid in each case.
 /// \pre no number given is negative.
 /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>

@@ -54,7 +54,7 @@ void test_callables()
 
   const auto isotropic = CGAL::make_isotropic_metric_field_2<Kernel>([](const Point& p) { return 1 + p.x(); });
   CHECK(isotropic(Point(1, 0)) == Tensor::from_size(2));
-  CHECK_THROWS(isotropic(Point(-1, 3)), Invalid, "h1 = 0, h2 = 0, theta = 0 is not positive definite at the point (-1, 3)");
+  CHECK_THROWS(isotropic(Point(-1, 3)), Invalid, "the metric of size 0 is not positive definite at the point (-1, 3)");
 
   const auto of_array = CGAL::make_directional_metric_field_2<Kernel>(
     [](const Point& p) { return std::array<double, 3>{p.x(), p.y(), 0.3}; });
@@ -63,7 +63,7 @@ void test_callables()
   const auto of_struct = CGAL::make_directional_metric_field_2<Kernel>(
     [](const Point& p) { return Sizes{p.x(), p.y(), 0.3}; });
   CHECK(of_array(Point(1, 2)) == m && of_tuple(Point(1, 2)) == m && of_struct(Point(1, 2)) == m);
-  CHECK_THROWS(of_struct(Point(1, -2)), Invalid, "h2 = -2, theta = 0.29999999999999999 is not positive definite at the point (1, -2)");
+  CHECK_THROWS(of_struct(Point(1, -2)), Invalid, "h2 = -2, theta = 0.3 is not positive definite at the point (1, -2)");
   auto copy = of_struct;
   CHECK(copy(Point(1, 2)) == m);
 }
@@ -89,7 +89,7 @@ void test_gradient_field()
   CHECK(are_close(field(Point(0, 0)), Tensor::from_size(2.5), 1e-14));
   CHECK(std::abs(field(Point(1e5, -1e5)).sizes().h2 / 2.5 - 1) < 1e-3);
   CHECK(field(Point(1e10, 1e9)).sizes().h1 < 1e-10); // rounding does not make it indefinite
-  CHECK_THROWS(field(Point(1e200, 3)), Invalid, "is not positive definite at the point (9.9999999999999997e+199, 3)");
+  CHECK_THROWS(field(Point(1e200, 3)), Invalid, "is not positive definite at the point (1e+200, 3)");
   const auto nan = CGAL::make_gradient_metric_field_2<Kernel>(
     [](const Point&) { return std::make_tuple(std::numeric_limits<double>::quiet_NaN(), 0.f); }, alpha, e);
   CHECK_THROWS(nan(Point(1, 2)), Invalid, "at the point (1, 2)");

@@ -27,7 +27,8 @@ struct Mesh_statistics
 {
   std::size_t vertices = 0;            ///< of the domain
   std::size_t triangles = 0;           ///< of the domain
-  double ideal_vertices = 0;           ///< what a unit mesh has: \f$ 2/\sqrt 3 \f$ times the area in the metric
+  double ideal_vertices = 0;           ///< \f$ 2/\sqrt 3 \f$ times the area in the metric: those of a unit mesh without
+                                       ///< boundary, which brings about half of its own vertices in addition
   double edge_length_mean = 0;         ///< Riemannian lengths of the edges of the domain: their mean; 1 is ideal
   double edge_length_min = 0;          ///< the least of them
   double edge_length_max = 0;          ///< the largest of them
@@ -38,7 +39,9 @@ struct Mesh_statistics
   double quality_min3_min = 0;         ///< the least of these
   double energy = 0;                   ///< of the anisotropic Voronoi tessellation, in the measure asked for
   double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect
-  double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre
+  double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre; after
+                                       ///< `acvt_optimize_mesh_2()` some hundredths, for its topological moves take
+                                       ///< vertices away from there
 
   /// calls `visit(name, value)` for each figure, from `vertices` to `gradient_norm`.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`

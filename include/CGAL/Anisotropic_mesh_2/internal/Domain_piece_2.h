@@ -37,10 +37,8 @@ struct Domain_piece_2
 template <class K>
 std::string describe(const Domain_piece_2<K>& piece)
 {
-  std::string text = piece.curve.is_straight() ? "the segment " : "the curve ";
-  if(piece.number > 0)
-    text += std::to_string(piece.number) + " ";
-  return text + "from " + describe(piece.curve.source()) + " to " + describe(piece.curve.target());
+  const std::string kind = piece.curve.is_straight() ? "segment" : "curve";
+  return (piece.number > 0 ? kind + " " + std::to_string(piece.number) : "the " + kind) + " from " + describe(piece.curve.source()) + " to " + describe(piece.curve.target());
 }
 
 } // namespace internal

@@ -60,8 +60,6 @@ public:
     m_flip(patch);
     std::vector<bool> moved(patch.number_of_vertices(), true);
     double before = demerit(patch);
-    if(before > hopeless_at_first * goal)
-      return false;
     for(int i = 0; i < maximum_of_sweeps; ++i) {
       moved = sweep(patch, threshold, moved);
       if(m_flip(patch))
@@ -69,7 +67,7 @@ public:
       else if(std::find(moved.begin(), moved.end(), true) == moved.end())
         break;
       const double after = demerit(patch);
-      if(after > hopeless * goal || after - goal > before - after)
+      if(after - goal > before - after)
         return false;
       before = after;
     }
@@ -87,8 +85,6 @@ public:
 
 private:
   static constexpr int    maximum_of_sweeps = 5;
-  static constexpr double hopeless_at_first = 6; // times the goal: from there few tries are accepted
-  static constexpr double hopeless = 1.5;        // the same after a sweep
   static constexpr double longest_step = 0.2;
   static constexpr double least_step = 0.001;    // shorter ones are not worth their evaluations
   static constexpr int    maximum_of_attempts = 3;

@@ -9,6 +9,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <string>
@@ -20,6 +21,8 @@ namespace internal {
 // the shortest of the usual notations that reads back as the same number
 inline std::string describe(double x)
 {
+  if(std::isnan(x))
+    return "nan"; // whatever its sign
   std::string text;
   for(int digits = 15; digits <= 17; ++digits) {
     std::ostringstream os;

@@ -74,7 +74,7 @@ private:
       if(!(largest_coordinate(piece.curve.source()) < too_large && largest_coordinate(piece.curve.target()) < too_large))
         refuse(describe(piece) + " has a coordinate that is too large");
       else if(piece.curve.is_closed() && (piece.curve.is_straight() || piece.curve.point(0.3) == piece.curve.source()))
-        refuse(describe(piece) + " has zero length");
+        refuse(describe(piece) + " has zero length; is a point given twice?");
   }
 
   static double largest_coordinate(const Point_2& p)
