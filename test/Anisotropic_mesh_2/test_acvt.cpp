@@ -398,7 +398,7 @@ void test_failing_field()
     bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state&) { return *fails = true; }
   };
   CHECK_THROWS(CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
-               CGAL::Invalid_metric_tensor_exception, "h1 = -1");
+               CGAL::Invalid_metric_tensor_exception, "the metric of size -1");
   CHECK(mesh.is_valid(true));
   CHECK(generators_of(mesh) == generators_of(start));
   fails = false;

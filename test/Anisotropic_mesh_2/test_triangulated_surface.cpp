@@ -4,7 +4,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Curvature_metric_3.h>
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -15,6 +14,13 @@
 #include <CGAL/anisotropic_surface_statistics.h>
 #include <CGAL/make_anisotropic_surface_mesh.h>
 #include <CGAL/principal_curvatures_3.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR < 1060000000
+#include <CGAL/AABB_traits.h>
+#else
+#include <CGAL/AABB_traits_3.h>
+#endif
 
 #include "check.h"
 
@@ -117,7 +123,12 @@ std::vector<K::Segment_3> border_of(const Graph& graph)
 // The vertices lie on the triangles of `input`, those of the border on its border.
 void check_stays(const Graph& input, const Graph& output, const std::string& what)
 {
-  typedef CGAL::AABB_traits<K, CGAL::AABB_face_graph_triangle_primitive<Graph> > Tree_traits;
+  typedef CGAL::AABB_face_graph_triangle_primitive<Graph> Primitive;
+#if CGAL_VERSION_NR < 1060000000
+  typedef CGAL::AABB_traits<K, Primitive>   Tree_traits;
+#else
+  typedef CGAL::AABB_traits_3<K, Primitive> Tree_traits;
+#endif
   const CGAL::AABB_tree<Tree_traits> tree(faces(input).first, faces(input).second, input);
   double farthest = 0, farthest_on_border = 0;
   for(auto v : output.vertices())
