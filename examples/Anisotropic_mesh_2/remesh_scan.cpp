@@ -33,12 +33,12 @@ double bump(double x, double y) { return std::exp(-x*x - y*y); }
 Point_3 mask(double x, double y)
 {
   const double side = std::abs(x);
-  return Point_3(0.8 * x, y, 0.9 * std::sqrt(1.25 - x*x - y*y)
-                             + 0.22 * bump(x / 0.13, (y + 0.08) / 0.22) + 0.10 * bump(x / 0.10, (y - 0.2) / 0.3) // nose
-                             - 0.14 * bump((side - 0.32) / 0.17, (y - 0.22) / 0.11)                              // eyes
-                             + 0.06 * bump((side - 0.32) / 0.09, (y - 0.21) / 0.07)
-                             + 0.05 * bump((side - 0.3) / 0.25, (y - 0.42) / 0.07)                               // brows
-                             + 0.05 * bump(x / 0.22, (y + 0.46) / 0.05) + 0.05 * bump(x / 0.2, (y + 0.58) / 0.05)); // lips
+  const double nose = 0.22 * bump(x / 0.13, (y + 0.08) / 0.22) + 0.10 * bump(x / 0.10, (y - 0.2) / 0.3);
+  const double eyes = 0.06 * bump((side - 0.32) / 0.09, (y - 0.21) / 0.07)
+                    - 0.14 * bump((side - 0.32) / 0.17, (y - 0.22) / 0.11);
+  const double brows = 0.05 * bump((side - 0.3) / 0.25, (y - 0.42) / 0.07);
+  const double lips = 0.05 * bump(x / 0.22, (y + 0.46) / 0.05) + 0.05 * bump(x / 0.2, (y + 0.58) / 0.05);
+  return Point_3(0.8 * x, y, 0.9 * std::sqrt(1.25 - x*x - y*y) + nose + eyes + brows + lips);
 }
 
 // random points of it, with the noise of a scanner

@@ -121,8 +121,8 @@ public:
 
   /// inserts the vertices and the constrained edges of a triangulation of \cgal, and marks the domain as it is there.
   /// Constrained edges get the reference 1.
-  /// \tparam Triangulation an instance of `Constrained_triangulation_2` or of a class derived from it, whose points are those
-  /// of the mesh and whose faces are models of `DelaunayMeshFaceBase_2`, like those of a `Delaunay_mesher_2`.
+  /// \tparam Triangulation an instance of `Constrained_triangulation_2` or of a class derived from it, whose points are
+  /// those of the mesh and whose faces are models of `DelaunayMeshFaceBase_2`, like those of a `Delaunay_mesher_2`.
   /// \pre the mesh is empty, and the boundary of the domain is constrained in `triangulation`.
   /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a vertex.
   template <class Triangulation>

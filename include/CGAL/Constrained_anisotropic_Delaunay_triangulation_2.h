@@ -188,8 +188,8 @@ public:
       return true;
     }
     std::vector<Edge> changed;
-    const bool is_removed
-      = Anisotropic_mesh_2::internal::Vertex_remover_2<Constrained_anisotropic_Delaunay_triangulation_2>(*this, v)(changed);
+    typedef Anisotropic_mesh_2::internal::Vertex_remover_2<Constrained_anisotropic_Delaunay_triangulation_2> Remover;
+    const bool is_removed = Remover(*this, v)(changed);
     restore_local_criterion(std::move(changed));
     return is_removed;
   }
@@ -535,7 +535,8 @@ public:
   ///   `anisotropic_Delaunay_consistency_2()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
-    typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Constrained_anisotropic_Delaunay_triangulation_2> Checker;
+    typedef Constrained_anisotropic_Delaunay_triangulation_2       Self;
+    typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Self> Checker;
     return Checker(*this).is_valid(verbose, level);
   }
   /// @}

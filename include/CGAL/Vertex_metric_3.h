@@ -80,7 +80,8 @@ private:
     Matrix a;
     a << e[0], e[1], e[2], e[1], e[3], e[4], e[2], e[4], e[5];
     const Eigen_solver solver(a);
-    return solver.eigenvectors() * solver.eigenvalues().array().log().matrix().asDiagonal() * solver.eigenvectors().transpose();
+    const auto& basis = solver.eigenvectors();
+    return basis * solver.eigenvalues().array().log().matrix().asDiagonal() * basis.transpose();
   }
 
   static Metric_tensor exponential(const Matrix& l)

@@ -27,7 +27,8 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const bool makes_unit_mesh = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN) == Measure::RIEMANNIAN;
+  const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
+  const bool makes_unit_mesh = measure == Measure::RIEMANNIAN;
   return choose_parameter(get_parameter(np, topological_moves_t()), makes_unit_mesh)
       && choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0
       && code != BOUND_REACHED && code != TIME_LIMIT_REACHED;

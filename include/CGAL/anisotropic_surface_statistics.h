@@ -150,7 +150,8 @@ private:
       std::array<double, 3> l = {0.5, 0.5, 0.5};
       l[(i + 2) % 3] = 0;
       const Point_2 middle = parameters(f, l);
-      s.shapes.edges.add(chord_length(t.corner[j] - t.corner[i], t.tensor[i], m_field.metric_tensor_3(middle), t.tensor[j]));
+      s.shapes.edges.add(chord_length(t.corner[j] - t.corner[i],
+                                      t.tensor[i], m_field.metric_tensor_3(middle), t.tensor[j]));
       s.distances.add(distance_to_surface(m_field.surface(), middle, CGAL::midpoint(t.corner[i], t.corner[j])));
     }
   }
@@ -171,7 +172,8 @@ private:
   }
 
   // Tells the faces that are given to a part from the others in it.
-  void divide_faces(std::size_t k, Part_mesh& part, std::vector<Face_handle>& given, std::vector<Face_handle>& others) const
+  void divide_faces(std::size_t k, Part_mesh& part, std::vector<Face_handle>& given,
+                    std::vector<Face_handle>& others) const
   {
     std::set<Face> faces;
     for(std::size_t f = 0; f < m_mesh.number_of_faces(); ++f)
@@ -228,7 +230,8 @@ private:
 /// \return the figures; those of the tessellation are in the Riemannian measure.
 /// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field>
-Anisotropic_mesh_2::Surface_mesh_statistics anisotropic_surface_statistics(const Anisotropic_surface_mesh_3<Field>& mesh)
+Anisotropic_mesh_2::Surface_mesh_statistics
+anisotropic_surface_statistics(const Anisotropic_surface_mesh_3<Field>& mesh)
 {
   return Anisotropic_mesh_2::internal::Surface_statistics_collector<Field, ConcurrencyTag>(mesh)();
 }

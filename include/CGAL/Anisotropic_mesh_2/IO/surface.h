@@ -91,11 +91,13 @@ void write_SVG(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh,
                const std::string& title = std::string(),
                const Anisotropic_mesh_2::View_direction_3& view = Anisotropic_mesh_2::View_direction_3())
 {
-  Anisotropic_mesh_2::internal::Svg_surface picture(view, mesh.is_closed());
+  namespace internal = Anisotropic_mesh_2::internal;
+  internal::Svg_surface picture(view, mesh.is_closed());
   for(const auto& f : mesh.faces())
     picture.add_polygon(std::array<typename Field::Surface::Kernel::Point_3, 3>
                         {mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2])});
-  picture.write(os, title);
+  picture.write(os, title, internal::svg_count(mesh.number_of_vertices()) + " vertices, "
+                           + internal::svg_count(mesh.number_of_faces()) + " triangles");
 }
 
 /// draws the Voronoi regions of the vertices of a mesh of a surface in the same way. Of a surface
@@ -111,11 +113,12 @@ void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Surface_v
                bool is_closed, const std::string& title = std::string(),
                const Anisotropic_mesh_2::View_direction_3& view = Anisotropic_mesh_2::View_direction_3())
 {
-  Anisotropic_mesh_2::internal::Svg_surface picture(view, is_closed);
+  namespace internal = Anisotropic_mesh_2::internal;
+  internal::Svg_surface picture(view, is_closed);
   for(const auto& region : regions)
     for(const auto& line : region.boundaries)
       picture.add_polygon(line);
-  picture.write(os, title);
+  picture.write(os, title, internal::svg_count(regions.size()) + " Voronoi regions");
 }
 
 /// writes a mesh of a surface to a file, which appears under its name only when it is complete.
@@ -168,7 +171,9 @@ void write_SVG(const std::string& file, const std::vector<Anisotropic_mesh_2::Su
                bool is_closed, const std::string& title = std::string(),
                const Anisotropic_mesh_2::View_direction_3& view = Anisotropic_mesh_2::View_direction_3())
 {
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_SVG(os, regions, is_closed, title, view); });
+  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) {
+    write_SVG(os, regions, is_closed, title, view);
+  });
 }
 
 /// @}

@@ -38,7 +38,8 @@ template <class K>
 std::string describe(const Domain_piece_2<K>& piece)
 {
   const std::string kind = piece.curve.is_straight() ? "segment" : "curve";
-  return (piece.number > 0 ? kind + " " + std::to_string(piece.number) : "the " + kind) + " from " + describe(piece.curve.source()) + " to " + describe(piece.curve.target());
+  const std::string name = piece.number > 0 ? kind + " " + std::to_string(piece.number) : "the " + kind;
+  return name + " from " + describe(piece.curve.source()) + " to " + describe(piece.curve.target());
 }
 
 } // namespace internal

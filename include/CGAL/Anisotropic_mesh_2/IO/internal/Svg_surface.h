@@ -64,7 +64,8 @@ public:
     m_polygons.push_back(std::move(polygon));
   }
 
-  void write(std::ostream& os, const std::string& title)
+  // `text` follows the title in the line below the picture
+  void write(std::ostream& os, const std::string& title, const std::string& text)
   {
     std::stable_sort(m_polygons.begin(), m_polygons.end(),
                      [](const Polygon& p, const Polygon& q) { return p.depth < q.depth; });
@@ -78,8 +79,7 @@ public:
     picture.write(os, title.empty() ? "Surface" : title, [&](std::ostream& out) {
       picture.draw_outlined_areas(out, areas, "#27364a", line_width(picture.scale()));
     }, [&](std::ostream& out) {
-      if(!title.empty())
-        picture.write_caption(out, title, "");
+      picture.write_caption(out, title, text);
     });
   }
 
