@@ -249,9 +249,10 @@ def test_outputs(t):
 def test_progress(t):
     few = ("builtin:parallelogram", "--iterations", "2")
     t.check(t.run(*few).stderr == "", "no progress without a terminal")
-    verbose = t.run(*few, "--verbose")
+    verbose = t.run(*few, "--verbose", "-o", "few.mesh")
     t.check(verbose.returncode == 0 and verbose.stderr.count("\n") >= 3, f"progress if asked: {verbose.stderr}")
     t.check(verbose.stdout == "", "progress on standard error only")
+    t.check(json.loads(t.run(*few).stdout)["triangles"] > 0, "statistics if no output is asked for")
     t.check(" s left at most" in verbose.stderr, f"the time that remains: {verbose.stderr}")
 
 
@@ -344,7 +345,8 @@ def test_bad_arguments(t):
     t.refuse(["--size", "--h1"], domain, "--h1", "1", "--h2", "1", "--size", "1")
     t.refuse(["--metric", "--background"], domain, "--metric", "tensor.sol")
     t.refuse(["--background", "--metric"], domain, "--background", "square.mesh")
-    t.refuse(["--nonsense"], domain, "--size", "1", "--nonsense")
+    t.refuse(["\"--nonsense\": unknown option"], domain, "--size", "1", "--nonsense", "2000")
+    t.refuse(["\"second.poly\": one argument too many"], domain, "second.poly", "--size", "1")
     t.refuse(["--scale", "0"], domain, "--size", "1", "--scale", "0")
     t.refuse(["--scale", "nan"], domain, "--size", "1", "--scale", "nan")
     t.refuse(["--iterations", "-1"], domain, "--size", "1", "--iterations", "-1")
