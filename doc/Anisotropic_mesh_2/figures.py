@@ -196,6 +196,7 @@ SOURCES = [
     ("fig/surface_torus.svg", "paper_surfaces", copy_picture),
     ("fig/surface_saddle_sizes.svg", "paper_surfaces", copy_picture),
     ("fig/surface_saddle_curvature.svg", "paper_surfaces", copy_picture),
+    ("fig/graph_surface.svg", "graph_surface", copy_picture),
     ("fig/surface_scan.svg", "remesh_scan", copy_picture),
     ("fig/poisson_error.svg", "poisson_boundary_layer", plot_poisson_errors),
     ("fig/convergence.svg", "convergence", plot_convergence),
