@@ -125,7 +125,8 @@ void declare_output(CLI::App& app, Options& options, Raw_options& raw)
     ->type_name("FILE")->group(group)->allow_extra_args(false);
   app.add_option("--voronoi", options.voronoi, "a picture of the tessellation")
     ->type_name("FILE.svg")->group(group);
-  app.add_option("--stats", options.stats, "statistics, - for standard output, which is the default if no output is asked for")
+  app.add_option("--stats", options.stats,
+                 "statistics, - for standard output, which is the default if no output is asked for")
     ->type_name("FILE.json")->group(group);
   app.add_flag("--quiet", raw.quiet, "no progress on standard error")->group(group);
   app.add_flag("--verbose", raw.verbose, "progress on standard error even if it is no terminal")
@@ -290,7 +291,8 @@ Options parse_options(int argc, const char* const* argv)
   }
   catch(const CLI::ExtrasError&) { // its message lists them backwards
     const std::string extra = app.remaining().front();
-    throw Unusable_input("\"" + extra + "\": " + (extra.compare(0, 1, "-") == 0 ? "unknown option" : "one argument too many"));
+    const bool is_option = extra.compare(0, 1, "-") == 0;
+    throw Unusable_input("\"" + extra + "\": " + (is_option ? "unknown option" : "one argument too many"));
   }
   catch(const CLI::ParseError& e) {
     throw Unusable_input(e.what());

@@ -188,8 +188,7 @@ public:
       return true;
     }
     std::vector<Edge> changed;
-    typedef Anisotropic_mesh_2::internal::Vertex_remover_2<Constrained_anisotropic_Delaunay_triangulation_2> Remover;
-    const bool is_removed = Remover(*this, v)(changed);
+    const bool is_removed = Anisotropic_mesh_2::internal::Vertex_remover_2<Self>(*this, v)(changed);
     restore_local_criterion(std::move(changed));
     return is_removed;
   }
@@ -535,9 +534,7 @@ public:
   ///   `anisotropic_Delaunay_consistency_2()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
-    typedef Constrained_anisotropic_Delaunay_triangulation_2       Self;
-    typedef Anisotropic_mesh_2::internal::Triangulation_checker_2<Self> Checker;
-    return Checker(*this).is_valid(verbose, level);
+    return Anisotropic_mesh_2::internal::Triangulation_checker_2<Self>(*this).is_valid(verbose, level);
   }
   /// @}
 
@@ -565,6 +562,8 @@ protected:
   /// \endcond
 
 private:
+  typedef Constrained_anisotropic_Delaunay_triangulation_2 Self;
+
   void initialize(Vertex_handle v, const Metric_tensor_2& m)
   {
     v->set_metric_tensor(m);

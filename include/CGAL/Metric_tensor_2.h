@@ -8,8 +8,8 @@
 #define CGAL_METRIC_TENSOR_2_H
 
 #include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/difference_of_products.h>
+#include <CGAL/Anisotropic_mesh_2/internal/refuse_metric_tensor.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <ostream>
-#include <string>
 
 namespace CGAL {
 
@@ -238,19 +237,10 @@ private:
     return m;
   }
 
-  template <class Number>
-  static std::string text(const Number& x) { return Anisotropic_mesh_2::internal::describe(CGAL::to_double(x)); }
-  static std::string text(const char* s) { return s; }
-
-  template <class Number>
-  static bool is_finite(const Number& x) { return CGAL::is_finite(x); }
-  static bool is_finite(const char*) { return true; }
-
   template <class... Parts>
   [[noreturn]] static void refuse(const Parts&... parts)
   {
-    throw Invalid_metric_tensor_exception((text(parts) + ...)
-      + ((is_finite(parts) && ...) ? " is not positive definite" : " is not finite"));
+    Anisotropic_mesh_2::internal::refuse_metric_tensor(parts...);
   }
 
   FT m_11, m_12, m_22;

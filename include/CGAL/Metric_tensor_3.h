@@ -8,11 +8,10 @@
 #define CGAL_METRIC_TENSOR_3_H
 
 #include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
+#include <CGAL/Anisotropic_mesh_2/internal/refuse_metric_tensor.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <string>
 
 namespace CGAL {
 
@@ -47,8 +46,10 @@ public:
   static Metric_tensor_3 from_entries(const Entries& entries)
   {
     const Metric_tensor_3 m(entries);
+    const Entries& e = entries;
     if(!m.is_positive_definite())
-      refuse(entries);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor("the metric tensor with the entries ", e[0], " ", e[1], " ",
+                                                         e[2], " ", e[3], " ", e[4], " ", e[5]);
     return m;
   }
 
@@ -106,8 +107,7 @@ private:
   static FT eigenvalue(const FT& size)
   {
     if(!(CGAL::is_finite(size) && size > 0))
-      throw Invalid_metric_tensor_exception("the metric with the size " + describe(size)
-                                            + (CGAL::is_finite(size) ? " is not positive definite" : " is not finite"));
+      Anisotropic_mesh_2::internal::refuse_metric_tensor("the metric with the size ", size);
     return FT(1) / (size*size);
   }
 
@@ -120,16 +120,6 @@ private:
     const FT det = determinant();
     return e[0] > 0 && e[0]*e[3] - e[1]*e[1] > 0 && det > 0 && CGAL::is_finite(det);
   }
-
-  [[noreturn]] static void refuse(const Entries& entries)
-  {
-    std::string text = "the metric tensor with the entries";
-    for(const FT& x : entries)
-      text += " " + describe(x);
-    throw Invalid_metric_tensor_exception(text + " is not positive definite");
-  }
-
-  static std::string describe(const FT& x) { return Anisotropic_mesh_2::internal::describe(CGAL::to_double(x)); }
 
   Entries m_entries;
 };

@@ -168,7 +168,8 @@ void test_tensors()
   typedef CGAL::Invalid_metric_tensor_exception Refusal;
   CHECK_THROWS(Tensor_3::from_sizes(1, -2, 1), Refusal, "the size -2 is not positive definite");
   CHECK_THROWS(Tensor_3::from_size(std::nan("")), Refusal, "nan");
-  CHECK_THROWS(Tensor_3::from_entries({1, 2, 0, 1, 0, 1}), Refusal, "entries 1 2 0 1 0 1");
+  CHECK_THROWS(Tensor_3::from_entries({1, 2, 0, 1, 0, 1}), Refusal, "entries 1 2 0 1 0 1 is not positive definite");
+  CHECK_THROWS(Tensor_3::from_entries({1, 0, 0, std::nan(""), 0, 1}), Refusal, "entries 1 0 0 nan 0 1 is not finite");
 }
 
 // ------------------------------------------------------------- curvatures
