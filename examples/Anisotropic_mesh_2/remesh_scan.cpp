@@ -17,8 +17,10 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <map>
+#include <stdexcept>
 
 using K       = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = K::Point_2;
@@ -70,16 +72,9 @@ double diagonal(const Scan& scan)
   return std::hypot(b.x_span(), b.y_span(), b.z_span());
 }
 
-int main(int argc, char* argv[])
+// prints how close the new mesh comes, and writes it; returns whether it is good
+bool remesh(const Scan& scan)
 {
-  Scan scan;
-  if(argc == 1)
-    scan = scanned_mask();
-  else if(!CGAL::IO::read_polygon_mesh(argv[1], scan)) {
-    std::cerr << argv[1] << ": no polygon mesh can be read" << std::endl;
-    return EXIT_FAILURE;
-  }
-
   const Surface surface(scan);
   const double d = diagonal(scan);
   const Metric metric(0.005, d / 200, d / 25, 4); // relative chord error, bounds of the sizes and of their ratio
@@ -90,9 +85,22 @@ int main(int argc, char* argv[])
             << "\nmean quality in the metric: " << s.quality_mean << ", least: " << s.quality_min
             << "\nmean distance to the scan: " << 100 * s.distance_mean / d << " % of the diagonal" << std::endl;
   CGAL::IO::write_off("remesh_scan.off", mesh);
-  CGAL::Anisotropic_mesh_2::View_direction_3 from_front;
-  from_front.azimuth = -1.3;
-  from_front.elevation = 1.2;
-  CGAL::IO::write_SVG("surface_scan.svg", mesh, "", from_front);
-  return s.quality_mean > 0.9 ? EXIT_SUCCESS : EXIT_FAILURE;
+  CGAL::IO::write_SVG("surface_scan.svg", mesh, "", {-1.3, 1.2}); // from the front
+  return s.quality_mean > 0.9;
+}
+
+int main(int argc, char* argv[])
+{
+  try {
+    Scan scan;
+    if(argc == 1)
+      scan = scanned_mask();
+    else if(!CGAL::IO::read_polygon_mesh(argv[1], scan))
+      throw std::runtime_error("no polygon mesh can be read");
+    return remesh(scan) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch(const std::exception& e) { // for example, the surface may be no disc
+    std::cerr << (argc == 1 ? "the mask" : argv[1]) << ": " << e.what() << std::endl;
+    return EXIT_FAILURE;
+  }
 }
