@@ -143,6 +143,65 @@ void test_ellipsoid()
   }
 }
 
+// Ellipsoids with places of a radius of curvature far below the size, where faces that one chart makes are upside
+// down in another.
+void test_sharp_ellipsoids()
+{
+  const auto check = [](double a, double b, double c, double size, const std::string& name) {
+    const auto mesh = CGAL::make_anisotropic_surface_mesh
+      (surface_field(CGAL::Parametric_ellipsoid_3<K>(a, b, c), [=](const Point_3&) { return size; }));
+    check_closed(mesh, 2, name);
+    const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+    CHECK_MSG(s.quality_mean > 0.98 && s.quality_min > 0.55,
+              name + ": " + std::to_string(s.quality_mean) + ", " + std::to_string(s.quality_min));
+    CHECK_MSG(s.energy_ratio > 0.97 && s.energy_ratio < 1.05, name + ": " + std::to_string(s.energy_ratio));
+  };
+  check(6, 1, 1, 0.3, "needle along x");
+  check(1, 1, 6, 0.3, "needle along the poles");
+  check(0.1, 1, 1, 0.1, "disc through the poles");
+}
+
+// Meshes of a few faces, which are large in every chart.
+void test_figures_of_coarse_meshes()
+{
+  const auto check = [](const auto& surface, double size, int characteristic, double distance, const std::string& name) {
+    const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field(surface, [=](const Point_3&) { return size; }));
+    check_closed(mesh, characteristic, name);
+    const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+    CHECK_MSG(s.distance_max < distance, name + ": " + std::to_string(s.distance_max));
+    CHECK_MSG(s.energy_ratio > 0.97 && s.energy_ratio < 1.3, name + ": " + std::to_string(s.energy_ratio));
+  };
+  check(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), 5, 2, 1, "coarse sphere"); // the centre is as far as can be
+  check(CGAL::Parametric_torus_3<K>(2, 0.5), 0.8, 0, 0.5, "coarse torus");
+}
+
+// Sizes beyond the radius of curvature cannot be had; the figures say so, and are numbers.
+void test_sizes_beyond_curvature()
+{
+  const auto mesh = CGAL::make_anisotropic_surface_mesh
+    (surface_field(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) {
+      return CGAL::Metric_tensor_3<K>::from_sizes(1, 1, 0.04);
+    }));
+  CHECK(CGAL::is_closed(in_space(mesh)) && euler_characteristic(in_space(mesh)) == 2);
+  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  s.for_each([](const char* name, double value) { CHECK_MSG(std::isfinite(value), name); });
+  CHECK(s.edge_length_unit_share < 0.95 && s.normal_deviation_max > 1);
+}
+
+// A mesh that is folded in its chart has no tessellation there, but other figures.
+void test_folded_mesh()
+{
+  const auto field = surface_field(CGAL::Quadratic_graph_surface_3<K>(1, 1, square(4)), [](const Point_3&) { return 1; });
+  CGAL::Anisotropic_surface_mesh_3<std::decay_t<decltype(field)> > mesh(field);
+  for(const Point_2& p : {Point_2(0, 0), Point_2(1, 0), Point_2(0, 1), Point_2(0.1, -0.5), Point_2(0.5, 1), Point_2(-0.5, 1)})
+    mesh.add_vertex(p);
+  mesh.add_face({0, 1, 2});
+  mesh.add_face({3, 4, 5});
+  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  CHECK(s.triangles == 2 && s.quality_mean > 0.1);
+  s.for_each([](const char* name, double value) { CHECK_MSG(std::isfinite(value), name); });
+}
+
 void test_curvature_of_ellipsoid()
 {
   typedef CGAL::Parametric_ellipsoid_3<K> Ellipsoid;
@@ -388,6 +447,7 @@ int main()
 {
   test_torus();
   test_ellipsoid();
+  test_sharp_ellipsoids();
   test_curvature_of_ellipsoid();
   test_gradient();
   test_tessellation_of_sphere();
@@ -397,6 +457,9 @@ int main()
   test_tube();
   test_optimizer();
   test_coarse_meshes();
+  test_figures_of_coarse_meshes();
+  test_sizes_beyond_curvature();
+  test_folded_mesh();
   test_refusals();
   return finish();
 }

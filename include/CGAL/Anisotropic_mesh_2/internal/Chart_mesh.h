@@ -50,12 +50,14 @@ public:
   {
     for(std::size_t v = 0; v < surface_mesh.number_of_vertices(); ++v)
       m_coordinates.push_back(part.chart.coordinates(to_doubles(surface_mesh.parameters(v))));
-    for(const Face& f : surface_mesh.faces())
-      (is_in_bounds(f) && is_upright(f) ? m_faces : m_outer_faces).push_back(f);
+    divide_faces();
   }
 
   // by the numbers of the vertices in the surface mesh
   const std::vector<Face>& faces() const { return m_faces; }
+
+  // whether the face with this number in the surface mesh is in the part
+  bool has_face(std::size_t f) const { return m_has_face[f]; }
 
   // the edges that have a face of this part on one side only
   std::vector<Chart_edge> rim() const
@@ -114,6 +116,23 @@ public:
   }
 
 private:
+  // Faces that are wide beyond what the metric resolves may be upside down in a chart other than the one they were
+  // made in; they are left out with all around them, lest a rim should run through the inside of the part.
+  void divide_faces()
+  {
+    std::vector<bool> is_inside(m_coordinates.size(), true);
+    for(const Face& f : m_surface_mesh.faces())
+      if(!is_cut(f) && !is_upright(f))
+        for(std::size_t v : f)
+          is_inside[v] = false;
+    for(const Face& f : m_surface_mesh.faces()) {
+      const bool inside = is_in_bounds(f) && !is_cut(f)
+                       && std::all_of(f.begin(), f.end(), [&](std::size_t v) { return is_inside[v]; });
+      (inside ? m_faces : m_outer_faces).push_back(f);
+      m_has_face.push_back(inside);
+    }
+  }
+
   bool is_in_bounds(const Face& f) const
   {
     return std::all_of(f.begin(), f.end(), [&](std::size_t v) {
@@ -122,12 +141,17 @@ private:
     });
   }
 
-  // whether the face has its orientation in the chart as well
-  bool is_upright(const Face& f) const
+  bool is_cut(const Face& f) const
   {
     for(int i = 0; i < 3; ++i)
       if(m_part.chart.is_cut_between(m_coordinates[f[i]], m_coordinates[f[(i + 1) % 3]]))
-        return false;
+        return true;
+    return false;
+  }
+
+  // whether the face has its orientation in the chart as well
+  bool is_upright(const Face& f) const
+  {
     return m_mesh.geom_traits().orientation_2_object()(point(f[0]), point(f[1]), point(f[2])) == LEFT_TURN;
   }
 
@@ -168,6 +192,7 @@ private:
   Mesh                                m_mesh;
   Vectors                             m_coordinates;  // of all vertices
   std::vector<Face>                   m_faces, m_outer_faces;
+  std::vector<bool>                   m_has_face;     // by the number in the surface mesh
   std::map<std::size_t, std::size_t>  m_places;       // of fixed vertices, among the points of the boundary
   std::map<Point_2, std::size_t>      m_numbers;      // of fixed vertices, in the surface mesh
 };

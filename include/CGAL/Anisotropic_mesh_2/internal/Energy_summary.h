@@ -16,6 +16,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -47,14 +48,18 @@ public:
     }
     const double area = integral(mesh, faces, 0.5);
     m_area += area;
+    m_faces += faces.size();
     m_density_integral += m_measure == Measure::RIEMANNIAN ? area : integral(mesh, faces, 0.25);
   }
 
+  // Faces that were not added, as nobody can tell their regions, do not count in the ratio.
   void write_to(Mesh_statistics& statistics) const
   {
+    if(m_faces == 0)
+      return;
     statistics.ideal_vertices = ideal_number_of_vertices(m_area);
     statistics.energy = m_energy;
-    statistics.energy_ratio = m_energy / energy_of_hexagons(m_density_integral, double(statistics.triangles) / 2);
+    statistics.energy_ratio = m_energy / energy_of_hexagons(m_density_integral, double(m_faces) / 2);
     statistics.gradient_norm = m_largest_pull;
   }
 
@@ -64,8 +69,9 @@ private:
     return metric_area<ConcurrencyTag>(mesh, faces, exponent, 1e-5, 30000 + 16 * faces.size());
   }
 
-  Measure m_measure;
-  double  m_area = 0, m_density_integral = 0, m_energy = 0, m_largest_pull = 0;
+  Measure     m_measure;
+  double      m_area = 0, m_density_integral = 0, m_energy = 0, m_largest_pull = 0;
+  std::size_t m_faces = 0;
 };
 
 } // namespace internal

@@ -37,12 +37,14 @@ public:
     const Directed_edges edges(mesh.faces());
     std::vector<int> vertex_depth(m_part_of_vertex.size(), -1), face_depth(m_part_of_face.size(), -1);
     for(std::size_t k = 0; k < atlas.parts.size(); ++k) {
-      const Depths depths = depths_in(mesh, edges, Chart_mesh<Field>(mesh, atlas.parts[k]));
+      const Chart_mesh<Field> part(mesh, atlas.parts[k]);
+      const Depths depths = depths_in(mesh, edges, part);
       for(std::size_t v = 0; v < depths.size(); ++v)
         prefer(depths[v], k, vertex_depth[v], m_part_of_vertex[v]);
       for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
         const Face& w = mesh.faces()[f];
-        prefer(std::min({depths[w[0]], depths[w[1]], depths[w[2]]}), k, face_depth[f], m_part_of_face[f]);
+        if(part.has_face(f))
+          prefer(std::min({depths[w[0]], depths[w[1]], depths[w[2]]}), k, face_depth[f], m_part_of_face[f]);
       }
     }
   }

@@ -49,24 +49,36 @@ double normal_deviation(const Surface& surface, const Point_2& p, const std::arr
   return std::atan2(std::sqrt(CGAL::to_double(c * c)), CGAL::to_double(n * m));
 }
 
-// The distance of `x` from the surface close to the parameters `p`, by the method of Gauss and Newton.
+// The step of the method of Gauss and Newton from the parameters `p` towards the point of the surface closest to `x`.
 template <class Surface, class Point_2, class Point_3>
-double distance_to_surface(const Surface& surface, const Point_2& p, const Point_3& x)
+Vector_of_doubles step_towards_closest_point(const Surface& surface, const Point_2& p, const Point_3& x)
 {
-  Vector_of_doubles q = to_doubles(p);
-  double least = std::sqrt(CGAL::to_double((x - surface.point(p)).squared_length()));
-  for(int i = 0; i < 8; ++i) {
-    const Point_2 at = point_at<Point_2>(q.x, q.y);
-    const auto d = surface.first_derivatives(at);
-    const auto r = x - surface.point(at);
-    const Symmetric_form gram(CGAL::to_double(d[0] * d[0]), CGAL::to_double(d[0] * d[1]), CGAL::to_double(d[1] * d[1]));
-    const double fu = CGAL::to_double(r * d[0]), fv = CGAL::to_double(r * d[1]), det = gram.determinant();
-    const Vector_of_doubles next = {q.x + (gram.c * fu - gram.b * fv) / det, q.y + (gram.a * fv - gram.b * fu) / det};
-    const double distance = std::sqrt(CGAL::to_double((x - surface.point(point_at<Point_2>(next.x, next.y))).squared_length()));
-    if(!(distance < least))
-      break;
+  const auto d = surface.first_derivatives(p);
+  const auto r = x - surface.point(p);
+  const Symmetric_form gram(CGAL::to_double(d[0] * d[0]), CGAL::to_double(d[0] * d[1]), CGAL::to_double(d[1] * d[1]));
+  const double fu = CGAL::to_double(r * d[0]), fv = CGAL::to_double(r * d[1]), det = gram.determinant();
+  return {(gram.c * fu - gram.b * fv) / det, (gram.a * fv - gram.b * fu) / det};
+}
+
+// The distance of `x` from the surface close to the parameters `p`, by steps that are halved until they are of use.
+template <class Surface, class Point_2, class Point_3>
+double distance_to_surface(const Surface& surface, Point_2 p, const Point_3& x)
+{
+  const auto distance_to = [&](const Point_2& at) {
+    return std::sqrt(CGAL::to_double((x - surface.point(at)).squared_length()));
+  };
+  const int steps = 20, halvings = 10;
+  double least = distance_to(p);
+  for(int i = 0; i < steps; ++i) {
+    const Vector_of_doubles q = to_doubles(p), step = step_towards_closest_point(surface, p, x);
+    double t = 1, distance = least;
+    for(int k = 0; k < halvings && !(distance < least); ++k, t *= 0.5) {
+      p = point_at<Point_2>(q.x + t * step.x, q.y + t * step.y);
+      distance = distance_to(p);
+    }
+    if(!(distance < (1 - 1e-6) * least))
+      return std::min(distance, least);
     least = distance;
-    q = next;
   }
   return least;
 }
