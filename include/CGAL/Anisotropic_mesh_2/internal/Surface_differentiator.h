@@ -12,7 +12,6 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cmath>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
@@ -67,7 +66,7 @@ private:
         { {-25, 48, -36, 16, -3}, {-3, -10, 18, -6, 1}, {1, -8, 0, 8, -1}, {-1, 6, -18, 10, 3}, {3, -16, 36, -48, 25} },
         { {35, -104, 114, -56, 11}, {11, -20, 6, 4, -1}, {-1, 16, -30, 16, -1}, {-1, 4, 6, -20, 11},
           {11, -56, 114, -104, 35} } };
-      const double scale = order == 0 ? 1 : 1 / (12 * std::pow(step, order));
+      const double scale = order == 0 ? 1 : 1 / (12 * (order == 1 ? step : step*step));
       for(int i = 0; i < 5; ++i) {
         node[i] = x + (i - here) * step;
         weight[i] = scale * weights[order][here][i];
