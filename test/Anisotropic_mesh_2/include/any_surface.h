@@ -24,8 +24,9 @@ struct Any_surface
   const CGAL::Anisotropic_mesh_2::Parameter_rectangle& parameters() const { return rectangle; }
 };
 
-typedef std::function<CGAL::Metric_tensor_3<Any_surface::Kernel>(const Any_surface&, const Any_surface::Point_2&)> Any_metric_3;
-typedef CGAL::Surface_metric_field_2<Any_surface, Any_metric_3>                                                    Any_surface_field;
+typedef CGAL::Metric_tensor_3<Any_surface::Kernel>                                        Any_tensor_3;
+typedef std::function<Any_tensor_3(const Any_surface&, const Any_surface::Point_2&)>      Any_metric_3;
+typedef CGAL::Surface_metric_field_2<Any_surface, Any_metric_3>                           Any_surface_field;
 
 template <class Surface, class Metric>
 Any_surface_field surface_field(const Surface& surface, const Metric& metric)

@@ -50,7 +50,8 @@ public:
       // the two triangles at the bisector of the corners i and j
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       const Symmetric_form mean = 0.5 * (e.tensor[i].weighted + e.tensor[j].weighted), at_edge = mean + e.bend[k];
-      const Symmetric_form at_bisector = halfway_to_centre(e, at_edge, {k == 0 ? 0 : 0.5, k == 1 ? 0 : 0.5, k == 2 ? 0 : 0.5});
+      const Symmetric_form at_bisector
+        = halfway_to_centre(e, at_edge, {k == 0 ? 0 : 0.5, k == 1 ? 0 : 0.5, k == 2 ? 0 : 0.5});
       const Vector_of_doubles middle = {(e.corner[i].x + e.corner[j].x) / 2, (e.corner[i].y + e.corner[j].y) / 2};
       const double part = area * m_centre[k] / 2;
       for(int c : {i, j}) {

@@ -194,7 +194,8 @@ private:
   {
     Vectors start = m_mover.positions(), old_gradient = gradient();
     const Vectors d = direction(old_gradient);
-    const double old_energy = m_state.energy, bound = highest_recent_energy(), slope = scalar_product<ConcurrencyTag>(old_gradient, d);
+    const double old_energy = m_state.energy, bound = highest_recent_energy();
+    const double slope = scalar_product<ConcurrencyTag>(old_gradient, d);
     if(!(slope < 0))
       return false;
     double t = 1;

@@ -60,7 +60,8 @@ private:
   bool is_corner(std::size_t i) const
   {
     const std::size_t before = i + m_disc->border.size() - 1;
-    return turn(m_disc->points, before) > m_corner_angle || turn(m_disc->places, before) > std::min(largest_turn, m_corner_angle);
+    return turn(m_disc->points, before) > m_corner_angle
+        || turn(m_disc->places, before) > std::min(largest_turn, m_corner_angle);
   }
 
   // the angle between the edge after the i-th vertex and the one after that

@@ -95,7 +95,8 @@ private:
   {
     const std::array<Vertex, 3> v = {Vertex(Graph::size_type(t[0])), Vertex(Graph::size_type(t[1])),
                                      Vertex(Graph::size_type(t[2]))};
-    const auto normal = cross_product(m_graph.point(v[1]) - m_graph.point(v[0]), m_graph.point(v[2]) - m_graph.point(v[0]));
+    const auto normal = cross_product(m_graph.point(v[1]) - m_graph.point(v[0]),
+                                      m_graph.point(v[2]) - m_graph.point(v[0]));
     if(!(normal.squared_length() > 0))
       refuse("is degenerate: " + describe(t) + " has no area");
     if(m_graph.add_face(v[0], v[1], v[2]) == Graph::null_face())

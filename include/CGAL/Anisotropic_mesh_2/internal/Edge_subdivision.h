@@ -78,7 +78,8 @@ private:
   template <class Speed>
   void collect_parts(const Speed& speed, double t0, double t1, double whole, int depth)
   {
-    const double middle = (t0 + t1) / 2, left = three_point_gauss(speed, t0, middle), right = three_point_gauss(speed, middle, t1);
+    const double middle = (t0 + t1) / 2;
+    const double left = three_point_gauss(speed, t0, middle), right = three_point_gauss(speed, middle, t1);
     const double sum = left + right;
     if(depth == 0 || (std::abs(sum - whole) <= 0.01 * std::max(sum, 0.1)
                       && std::abs(left - right) <= 0.05 * std::max(sum, 1.))) {

@@ -87,7 +87,8 @@ private:
       if(next(next(next(h, mesh), mesh), mesh) != h)
         throw std::invalid_argument("the surface has a face that is not a triangle: number "
                                     + std::to_string(triangles.size()));
-      triangles.push_back({numbers.at(source(h, mesh)), numbers.at(target(h, mesh)), numbers.at(target(next(h, mesh), mesh))});
+      triangles.push_back({numbers.at(source(h, mesh)), numbers.at(target(h, mesh)),
+                           numbers.at(target(next(h, mesh), mesh))});
     }
     return triangles;
   }

@@ -62,7 +62,9 @@ public:
       });
       rho = next_rho;
     }
-    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { g[i] = {length * m_sum[i].x, length * m_sum[i].y}; });
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      g[i] = {length * m_sum[i].x, length * m_sum[i].y};
+    });
   }
 
 private:

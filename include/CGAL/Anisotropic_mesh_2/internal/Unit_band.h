@@ -68,7 +68,8 @@ private:
     const double dx = CGAL::to_double(v.point.x() - u.point.x()), dy = CGAL::to_double(v.point.y() - u.point.y());
     const Point middle((u.point.x() + v.point.x()) / 2, (u.point.y() + v.point.y()) / 2);
     const Symmetric_form m(m_gt.construct_metric_tensor_2_object()(middle));
-    return (Symmetric_form(u.tensor).length(dx, dy) + 4 * m.length(dx, dy) + Symmetric_form(v.tensor).length(dx, dy)) / 6;
+    return (Symmetric_form(u.tensor).length(dx, dy) + 4 * m.length(dx, dy)
+          + Symmetric_form(v.tensor).length(dx, dy)) / 6;
   }
 
   const Gt& m_gt;

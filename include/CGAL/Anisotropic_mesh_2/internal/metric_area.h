@@ -38,7 +38,8 @@ double metric_area(const Mesh& mesh, const std::vector<typename Mesh::Face_handl
   };
   std::vector<double> sums(number_of_chunks(faces.size()), 0.);
   for_each_chunk<ConcurrencyTag>(faces.size(), [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-    Adaptive_triangle_integral<decltype(density)> integral(density, relative_tolerance, maximum_quarterings / sums.size());
+    Adaptive_triangle_integral<decltype(density)> integral(density, relative_tolerance,
+                                                           maximum_quarterings / sums.size());
     for(std::size_t k = begin; k < end; ++k) {
       std::array<Vector_of_doubles, 3> t;
       for(int i = 0; i < 3; ++i)

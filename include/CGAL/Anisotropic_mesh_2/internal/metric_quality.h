@@ -46,7 +46,8 @@ double largest_cotangent(const Point_2& a, const Point_2& b, const Point_2& c, c
 }
 
 template <class Point_2, class Construct_tensor>
-Symmetric_form metric_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c, const Construct_tensor& tensor)
+Symmetric_form metric_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c,
+                                    const Construct_tensor& tensor)
 {
   return Symmetric_form(tensor(Point_2((a.x() + b.x() + c.x()) / 3, (a.y() + b.y() + c.y()) / 3)));
 }

@@ -48,7 +48,8 @@ Mesh_optimization_return_code optimize_acvt(Mesh& mesh, double energy_reduction,
 
   Mover mover(mesh);
   const auto run = [&](auto energy) {
-    Acvt_optimizer<ConcurrencyTag, decltype(energy), Mover, decltype(visitor)> optimizer(energy, mover, criteria, visitor);
+    Acvt_optimizer<ConcurrencyTag, decltype(energy), Mover, decltype(visitor)>
+      optimizer(energy, mover, criteria, visitor);
     return method(optimizer);
   };
 

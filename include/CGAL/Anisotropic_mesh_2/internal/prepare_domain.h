@@ -71,7 +71,8 @@ private:
                     [](const Piece& piece) { return is_meant_as_boundary(piece.role); }))
       refuse("the domain is empty: no curve bounds it");
     for(const Piece& piece : pieces)
-      if(!(largest_coordinate(piece.curve.source()) < too_large && largest_coordinate(piece.curve.target()) < too_large))
+      if(!(largest_coordinate(piece.curve.source()) < too_large
+           && largest_coordinate(piece.curve.target()) < too_large))
         refuse(describe(piece) + " has a coordinate that is too large");
       else if(piece.curve.is_closed() && (piece.curve.is_straight() || piece.curve.point(0.3) == piece.curve.source()))
         refuse(describe(piece) + " has zero length; is a point given twice?");

@@ -33,7 +33,8 @@ double surface_quality(const std::array<Point_3, 3>& t, const Tensor_3& m)
 
 // The length in space of the straight line between two points, by Simpson's rule.
 template <class Vector_3, class Tensor_3>
-double chord_length(const Vector_3& chord, const Tensor_3& at_source, const Tensor_3& in_middle, const Tensor_3& at_target)
+double chord_length(const Vector_3& chord, const Tensor_3& at_source, const Tensor_3& in_middle,
+                    const Tensor_3& at_target)
 {
   const auto length = [&](const Tensor_3& m) { return std::sqrt(CGAL::to_double(m.squared_length(chord))); };
   return (length(at_source) + 4 * length(in_middle) + length(at_target)) / 6;

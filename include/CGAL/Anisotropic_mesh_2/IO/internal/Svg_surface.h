@@ -122,7 +122,8 @@ private:
     if(!(length > 0))
       return 0;
     const double side = product(normal, m_to_eye) < 0 ? -1 : 1;
-    const double light = product(normal, m_to_eye) * 0.8 - product(normal, m_right) * 0.33 + product(normal, m_up) * 0.5;
+    const double light = product(normal, m_to_eye) * 0.8 - product(normal, m_right) * 0.33
+                       + product(normal, m_up) * 0.5;
     return std::max(0., side * light / length);
   }
 

@@ -240,7 +240,8 @@ private:
     std::vector<Svg_edge> edges;
     for(const typename Mesh::Edge& e : m_diagram.mesh().edges_in_domain())
       if(e.first->is_constrained(e.second))
-        edges.emplace_back(at(e.first->vertex(Mesh::ccw(e.second))->point()), at(e.first->vertex(Mesh::cw(e.second))->point()));
+        edges.emplace_back(at(e.first->vertex(Mesh::ccw(e.second))->point()),
+                           at(e.first->vertex(Mesh::cw(e.second))->point()));
     draw(os, edges, "#14202b", 1.8);
   }
 
