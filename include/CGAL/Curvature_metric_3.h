@@ -49,13 +49,15 @@ public:
   /// \param least_size the lower bound of the sizes, in units of the space
   /// \param largest_size the upper bound
   /// \param largest_ratio the bound of the ratio of the two sizes in the tangent plane
-  /// \pre `0 < epsilon < 1`, `0 < least_size <= largest_size` and `largest_ratio >= 1`
+  /// \pre `0 < epsilon < 1`, `0 < least_size <= largest_size`, which is finite, and `largest_ratio >= 1`
   Curvature_metric_3(double epsilon, double least_size, double largest_size,
                      double largest_ratio = std::numeric_limits<double>::infinity())
     : m_factor(2 * std::sqrt(epsilon * (2 - epsilon))), m_least_size(least_size), m_largest_size(largest_size),
       m_largest_ratio(largest_ratio)
   {
-    CGAL_precondition(0 < epsilon && epsilon < 1 && 0 < least_size && least_size <= largest_size && largest_ratio >= 1);
+    CGAL_precondition(0 < epsilon && epsilon < 1);
+    CGAL_precondition(0 < least_size && least_size <= largest_size && std::isfinite(largest_size));
+    CGAL_precondition(largest_ratio >= 1);
   }
 
   /// returns the tensor of the space at a point of the surface.

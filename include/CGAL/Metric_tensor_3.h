@@ -24,6 +24,9 @@ namespace CGAL {
 /// `Invalid_metric_tensor_exception` unless the result is finite and positive
 /// definite. A default constructed tensor is the identity.
 ///
+/// With `double` entries, sizes lie between 10<sup>-50</sup> and 10<sup>50</sup>; beyond, the determinant leaves the
+/// range of numbers and the tensor is refused.
+///
 /// \tparam K a model of `Kernel`
 /// \sa `Metric_tensor_2`
 template <class K>

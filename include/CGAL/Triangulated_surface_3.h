@@ -110,7 +110,7 @@ public:
     return {place.vertices, place.weights};
   }
 
-  /// the domain of the parameters, to be given to `make_anisotropic_surface_mesh()`.
+  /// the domain of the parameters, to be given to `make_anisotropic_surface_mesh()` if `corner_angle` is to differ.
   ///
   /// The border is divided into curves at its corners. These become vertices of a mesh; all others
   /// of the border lie on its edges, up to rounding. With a `corner_angle` of 0 each vertex of the border is kept.

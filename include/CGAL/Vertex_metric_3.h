@@ -9,6 +9,7 @@
 
 #include <CGAL/Metric_tensor_3.h>
 #include <CGAL/Triangulated_surface_3.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Eigenvalues>
@@ -61,6 +62,7 @@ public:
   /// \pre `surface` is the one whose tensors were given, or a copy of it.
   Metric_tensor operator()(const Surface& surface, const Point_2& uv) const
   {
+    CGAL_precondition(m_logarithms->size() == surface.number_of_vertices());
     const typename Surface::Place place = surface.locate(uv);
     Matrix l = Matrix::Zero();
     for(int i = 0; i < 3; ++i)

@@ -15,8 +15,10 @@
 
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
@@ -26,7 +28,11 @@ namespace internal {
 class Time_budget
 {
 public:
-  explicit Time_budget(double limit) : m_limit(limit) { m_timer.start(); }
+  explicit Time_budget(double limit) : m_limit(limit)
+  {
+    CGAL_precondition(limit >= 0);
+    m_timer.start();
+  }
 
   bool is_spent() const { return m_limit > 0 && m_timer.time() >= m_limit; }
   double remaining() const { return m_limit > 0 ? std::max(m_limit - m_timer.time(), 1e-9) : 0; }
@@ -96,7 +102,8 @@ Mesh_optimization_return_code optimize_charts(Anisotropic_surface_mesh_3<Field>&
 /// visitor is copied for each, and is shown the state of a chart.
 ///
 /// \return why it stopped, as `acvt_optimize_mesh_2()`, which for several charts is
-/// `MAX_ITERATION_NUMBER_REACHED` if that is so of any in the last round. The mesh is valid in each case.
+/// `MAX_ITERATION_NUMBER_REACHED` if that is so of any in the last round. The mesh is valid in each case, and as it
+/// was if `number_of_iterations` is 0.
 /// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code
@@ -107,6 +114,9 @@ acvt_optimize_surface_mesh(Anisotropic_surface_mesh_3<Field>& surface_mesh,
   using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
   const internal::Time_budget time(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.));
+  const std::size_t iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(1));
+  if(iterations == 0)
+    return MAX_ITERATION_NUMBER_REACHED;
   const internal::Surface_atlas<Field> atlas(surface_mesh.field());
   const int preliminary_rounds = atlas.parts.size() > 1 ? 2 : 0;
   for(int round = 0; round < preliminary_rounds; ++round) {

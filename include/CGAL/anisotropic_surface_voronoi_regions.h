@@ -31,7 +31,8 @@ namespace CGAL {
 /// \tparam Field an instance of `Surface_metric_field_2`.
 /// \param mesh the mesh.
 /// \param tolerance as for `Anisotropic_Voronoi_diagram_2`, whose default is finer.
-/// \return the region of each vertex, the `i`-th one that of the vertex `i`; empty if no chart holds it.
+/// \return the region of each vertex, the `i`-th one that of the vertex `i`; empty if no chart holds it, as at the
+/// sides of a seam that is not glued, since the domain goes once around.
 /// \pre `tolerance` lies between 10<sup>-9</sup> and 0.1.
 /// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 template <class Field>

@@ -10,7 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Closed_surface_mesher.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_chart.h>
 #include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/surface_domain.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
@@ -47,7 +47,7 @@ namespace CGAL {
 ///
 /// \return the mesh.
 /// \throw Degenerate_parametrization_exception if the surface has no tangent plane at a point of the domain.
-/// \throw Invalid_domain_exception if the domain is not valid.
+/// \throw Invalid_domain_exception if the domain or the rectangle of parameters is not valid.
 /// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class K, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
@@ -58,6 +58,7 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
   namespace internal = Anisotropic_mesh_2::internal;
   Anisotropic_surface_mesh_3<Field> surface_mesh(field);
   const auto r = field.surface().parameters();
+  internal::check_parameters(r);
   const auto chart = internal::Surface_chart<Field>::window(surface_mesh.field(), r.u_min, r.v_min);
   auto mesh = make_anisotropic_mesh_2(domain, chart, np);
   acvt_optimize_mesh_2<ConcurrencyTag>(mesh, np);
@@ -73,6 +74,7 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 /// generates an optimized mesh of a whole parametric surface under a metric
 /// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
+/// The mesh is that of the rectangle of parameters, or of the `domain()` of a `Triangulated_surface_3`.
 /// Where a parameter is periodic, the mesh is closed: the unit mesh of
 /// the rectangle of parameters gets the same vertices on the sides that
 /// coincide, and discs around the poles in polar coordinates. It is then optimized by
@@ -92,8 +94,8 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 /// \throw Degenerate_parametrization_exception if the surface has no tangent plane at a point other than a pole.
 /// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Invalid_metric_tensor_exception if the metric fails at a point of the surface.
-/// \throw Invalid_domain_exception if the sizes are so large that somewhere less than three edges would lead
-/// around a closed surface.
+/// \throw Invalid_domain_exception if the rectangle of parameters is not valid, or if the sizes are so large that
+/// somewhere less than three edges would lead around a closed surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_surface_mesh_3<Field>
 make_anisotropic_surface_mesh(const Field& field, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
@@ -101,17 +103,9 @@ make_anisotropic_surface_mesh(const Field& field, const CGAL_NP_CLASS& np = CGAL
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
-  typedef typename Field::Surface::Kernel K;
-  typedef typename K::Point_2             Point_2;
-
-  const auto r = field.surface().parameters();
-  if(!r.is_periodic()) {
-    Anisotropic_mesh_domain_2<K> domain;
-    const auto corner = [](double u, double v) { return internal::point_at<Point_2>(u, v); };
-    domain.add_polygon(std::vector<Point_2>{corner(r.u_min, r.v_min), corner(r.u_max, r.v_min),
-                                            corner(r.u_max, r.v_max), corner(r.u_min, r.v_max)});
-    return make_anisotropic_surface_mesh<ConcurrencyTag>(domain, field, np);
-  }
+  internal::check_parameters(field.surface().parameters());
+  if(!field.surface().parameters().is_periodic())
+    return make_anisotropic_surface_mesh<ConcurrencyTag>(internal::surface_domain(field.surface()), field, np);
   Anisotropic_surface_mesh_3<Field> surface_mesh(field);
   const std::size_t limit = choose_parameter<std::size_t>
     (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);

@@ -197,8 +197,9 @@ void test_folded_mesh()
     mesh.add_vertex(p);
   mesh.add_face({0, 1, 2});
   mesh.add_face({3, 4, 5});
+  mesh.add_face({0, 0, 0});
   const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
-  CHECK(s.triangles == 2 && s.quality_mean > 0.1);
+  CHECK(s.triangles == 3 && s.quality_mean > 0.1 && s.quality_min == 0);
   s.for_each([](const char* name, double value) { CHECK_MSG(std::isfinite(value), name); });
 }
 
@@ -423,6 +424,66 @@ void test_coarse_meshes()
   CHECK_MSG(closed >= 2 && refused >= 2, std::to_string(closed) + " closed");
 }
 
+// Where a domain goes once around, the mesh is not glued, nor by the optimizer, and each vertex but those at the
+// seam has its region.
+void test_part_on_both_sides_of_seam()
+{
+  const auto field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
+  for(const std::array<double, 2>& part : {std::array<double, 2>{0, 1}, {0, 2 * CGAL_PI}, {1.1, 1}}) {
+    const double u = part[0], height = part[1];
+    CGAL::Anisotropic_mesh_domain_2<K> domain;
+    domain.add_polygon(std::vector<Point_2>{Point_2(u, 0), Point_2(u + 2 * CGAL_PI, 0),
+                                            Point_2(u + 2 * CGAL_PI, height), Point_2(u, height)});
+    auto mesh = CGAL::make_anisotropic_surface_mesh(domain, field);
+    const std::size_t vertices = mesh.number_of_vertices(), faces = mesh.number_of_faces();
+    CGAL::acvt_optimize_surface_mesh(mesh, np::topological_moves(false));
+    CHECK(mesh.number_of_vertices() == vertices && mesh.number_of_faces() == faces);
+    CHECK(euler_characteristic(in_space(mesh)) == 1);
+    check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.96, 0.6, "part of a torus");
+    if(height == 1)
+      for(const auto& r : CGAL::anisotropic_surface_voronoi_regions(mesh))
+        CHECK(std::abs(mesh.parameters(r.vertex).x() - u) < 0.2 || !r.tiles.empty()); // an edge of length 0.3 there
+  }
+}
+
+// Nothing calls a surface outside of its rectangle.
+void test_strict_surface()
+{
+  const auto strict = [](const Point_2& p) {
+    CHECK(p.x() >= 0 && p.x() <= 1 && p.y() >= 0 && p.y() <= 1);
+    return Point_3(p.x(), p.y(), -p.x() * p.x() - p.y() * p.y());
+  };
+  const auto mesh = CGAL::make_anisotropic_surface_mesh
+    (surface_field(CGAL::make_callable_surface_3<K>(strict, Rectangle()), [](const Point_3&) { return 0.2; }));
+  CHECK(CGAL::anisotropic_surface_statistics(mesh).distance_max < 0.02);
+  CHECK(CGAL::anisotropic_surface_voronoi_regions(mesh).size() == mesh.number_of_vertices());
+}
+
+void test_no_iterations()
+{
+  const auto field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
+  auto mesh = CGAL::make_anisotropic_surface_mesh(field, CGAL::parameters::number_of_iterations(0));
+  const auto faces = mesh.faces();
+  CHECK(CGAL::acvt_optimize_surface_mesh(mesh, CGAL::parameters::number_of_iterations(0))
+        == CGAL::MAX_ITERATION_NUMBER_REACHED);
+  CHECK(mesh.faces() == faces);
+}
+
+void test_refusals_of_rectangles()
+{
+  const auto refuses = [](const Rectangle& r, const char* text) {
+    Any_surface_field field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
+    const Any_surface any = {r, field.surface().point, field.surface().first_derivatives};
+    const Any_surface_field own(any, [](const Any_surface&, const Point_2&) { return CGAL::Metric_tensor_3<K>(); });
+    CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(own), CGAL::Invalid_domain_exception, text);
+  };
+  refuses({1, -1, 0, 1}, "the rectangle [1, -1] x [0, 1] of the parameters of the surface is not valid");
+  refuses({0, 1, 0, std::nan("")}, "the rectangle [0, 1] x [0, nan]");
+  Rectangle pole;
+  pole.v_min_is_pole = true;
+  refuses(pole, "poles only where u is periodic");
+}
+
 void test_refusals()
 {
   const auto unit = [](const Point_3&) { return 0.2; };
@@ -460,6 +521,10 @@ int main()
   test_figures_of_coarse_meshes();
   test_sizes_beyond_curvature();
   test_folded_mesh();
+  test_part_on_both_sides_of_seam();
+  test_strict_surface();
+  test_no_iterations();
   test_refusals();
+  test_refusals_of_rectangles();
   return finish();
 }

@@ -193,6 +193,15 @@ void test_kept_border()
   }
 }
 
+// Without a domain the whole surface is meant, not its bounding box.
+void test_default_domain()
+{
+  const Surface s(disc(800, on_bump));
+  const auto field = CGAL::make_surface_metric_field_2(s, [](const Point_3&) { return 0.15; });
+  const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
+  CHECK(mesh.faces() == CGAL::make_anisotropic_surface_mesh(s.domain(), field).faces());
+}
+
 void refuse(const Graph& graph, const std::string& words)
 {
   try {
@@ -222,6 +231,7 @@ void test_refusals()
   refuse(Graph(), "no triangles");
   refuse(graph(4, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}), "closed");
   refuse(graph(7, {{0, 1, 2}, {4, 5, 6}}), "not connected");
+  refuse(graph(5, {{0, 1, 2}, {0, 3, 4}}), "not a manifold at the vertex 0");
   refuse(graph(4, {{0, 1, 3, 2}}), "not a triangle");
   refuse(graph(8, {{0, 1, 2}, {1, 0, 7}}), "has no area");
   Graph holed = disc(100, on_bump);
@@ -242,6 +252,7 @@ int main()
   test_curvature();
   test_meshes();
   test_kept_border();
+  test_default_domain();
   test_refusals();
   return finish();
 }

@@ -24,7 +24,7 @@ public:
   /// a model of `Kernel`.
   typedef unspecified_type Kernel;
 
-  /// the rectangle of parameters.
+  /// the rectangle of parameters, which is valid.
   CGAL::Anisotropic_mesh_2::Parameter_rectangle parameters() const;
 
   /// the point with the parameters `uv`.

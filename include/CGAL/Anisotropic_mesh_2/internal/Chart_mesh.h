@@ -13,7 +13,10 @@
 #include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
+#include <CGAL/squared_distance_2.h>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +53,7 @@ public:
   {
     for(std::size_t v = 0; v < surface_mesh.number_of_vertices(); ++v)
       m_coordinates.push_back(part.chart.coordinates(to_doubles(surface_mesh.parameters(v))));
-    divide_faces();
+    choose_faces();
   }
 
   // by the numbers of the vertices in the surface mesh
@@ -116,21 +119,66 @@ public:
   }
 
 private:
+  typedef typename Kernel::Segment_2                                      Segment_2;
+  typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t>     Box;
+
+  static constexpr int    maximum_trims = 4;
+  static constexpr double contact = 1e-9; // closer than this share of the parameters, lines touch
+
   // Faces that are wide beyond what the metric resolves may be upside down in a chart other than the one they were
-  // made in; they are left out with all around them, lest a rim should run through the inside of the part.
-  void divide_faces()
+  // made in, and the sides of a seam that is not glued coincide. The rim must not meet itself there: the part is left
+  // without all around such vertices.
+  void choose_faces()
   {
     std::vector<bool> is_inside(m_coordinates.size(), true);
     for(const Face& f : m_surface_mesh.faces())
       if(!is_cut(f) && !is_upright(f))
         for(std::size_t v : f)
           is_inside[v] = false;
+    divide_faces(is_inside);
+    for(int i = 0; i < maximum_trims; ++i) {
+      const std::vector<std::size_t> meeting = vertices_where_rim_meets_itself();
+      if(meeting.empty())
+        return;
+      for(std::size_t v : meeting)
+        is_inside[v] = false;
+      divide_faces(is_inside);
+    }
+  }
+
+  void divide_faces(const std::vector<bool>& is_inside)
+  {
+    m_faces.clear();
+    m_outer_faces.clear();
+    m_has_face.clear();
     for(const Face& f : m_surface_mesh.faces()) {
       const bool inside = is_in_bounds(f) && !is_cut(f)
                        && std::all_of(f.begin(), f.end(), [&](std::size_t v) { return is_inside[v]; });
       (inside ? m_faces : m_outer_faces).push_back(f);
       m_has_face.push_back(inside);
     }
+  }
+
+  // the ends of the edges of the rim that touch another one which has no vertex in common
+  std::vector<std::size_t> vertices_where_rim_meets_itself() const
+  {
+    const std::vector<Chart_edge> edges = rim();
+    const double reach = contact * m_surface_mesh.field().surface().parameters().u_extent();
+    std::vector<Box> boxes;
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      const Vector_of_doubles &p = m_coordinates[edges[i][0]], &q = m_coordinates[edges[i][1]];
+      double low[2] = {std::min(p.x, q.x) - reach, std::min(p.y, q.y) - reach};
+      double high[2] = {std::max(p.x, q.x) + reach, std::max(p.y, q.y) + reach};
+      boxes.emplace_back(low, high, i);
+    }
+    std::vector<std::size_t> result;
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+      const Chart_edge &e = edges[a.info()], &f = edges[b.info()];
+      if(e[0] != f[0] && e[0] != f[1] && e[1] != f[0] && e[1] != f[1]
+         && squared_distance(Segment_2(point(e[0]), point(e[1])), Segment_2(point(f[0]), point(f[1]))) <= reach * reach)
+        result.insert(result.end(), {e[0], e[1], f[0], f[1]});
+    });
+    return result;
   }
 
   bool is_in_bounds(const Face& f) const

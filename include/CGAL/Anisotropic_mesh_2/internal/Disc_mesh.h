@@ -118,6 +118,17 @@ private:
     if(m_graph.number_of_vertices() + m_graph.number_of_faces() != m_graph.number_of_edges() + 1)
       refuse("is not a disc: it has a handle");
     m_border = borders[0];
+    check_border();
+  }
+
+  // The border passes a vertex twice where triangles meet in nothing but that vertex.
+  void check_border() const
+  {
+    std::vector<std::size_t> loop = border_loop();
+    std::sort(loop.begin(), loop.end());
+    const auto twice = std::adjacent_find(loop.begin(), loop.end());
+    if(twice != loop.end())
+      refuse("is not a manifold at the vertex " + std::to_string(*twice) + ", where triangles meet that share no edge");
   }
 
   // a halfedge of each border

@@ -19,10 +19,12 @@ namespace Anisotropic_mesh_2 {
 namespace internal {
 
 // The quality 4 sqrt(3) |T| / (sum of the squared lengths of the edges) of a triangle T: `gram` is the
-// Gram matrix of two edges, and `parallelogram` the area that they span, of which T is half.
+// Gram matrix of two edges, and `parallelogram` the area that they span, of which T is half. A triangle whose
+// corners coincide has the quality 0.
 inline double quality_from_gram(const Symmetric_form& gram, double parallelogram)
 {
-  return std::sqrt(3.) * parallelogram / (gram.a - gram.b + gram.c);
+  const double squares = gram.a - gram.b + gram.c;
+  return squares > 0 ? std::sqrt(3.) * parallelogram / squares : 0;
 }
 
 // with lengths and areas in M: 1 for a triangle that is equilateral in M, negative for an inverted one

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_GEOMETRY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_GEOMETRY_H
 
+#include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
@@ -50,6 +51,13 @@ double normal_deviation(const Surface& surface, const Point_2& p, const std::arr
   return std::atan2(std::sqrt(CGAL::to_double(c * c)), CGAL::to_double(n * m));
 }
 
+// the closest point of the rectangle of parameters, which does not end in periodic directions
+inline Vector_of_doubles clamped(const Parameter_rectangle& r, const Vector_of_doubles& p)
+{
+  return {r.u_is_periodic ? p.x : std::clamp(p.x, r.u_min, r.u_max),
+          r.v_is_periodic ? p.y : std::clamp(p.y, r.v_min, r.v_max)};
+}
+
 // The step of the method of Gauss and Newton from the parameters `p` towards the point of the surface closest to `x`.
 template <class Surface, class Point_2, class Point_3>
 Vector_of_doubles step_towards_closest_point(const Surface& surface, const Point_2& p, const Point_3& x)
@@ -74,7 +82,8 @@ double distance_to_surface(const Surface& surface, Point_2 p, const Point_3& x)
     const Vector_of_doubles q = to_doubles(p), step = step_towards_closest_point(surface, p, x);
     double t = 1, distance = least;
     for(int k = 0; k < halvings && !(distance < least); ++k, t *= 0.5) {
-      p = point_at<Point_2>(q.x + t * step.x, q.y + t * step.y);
+      const Vector_of_doubles next = clamped(surface.parameters(), {q.x + t * step.x, q.y + t * step.y});
+      p = point_at<Point_2>(next.x, next.y);
       distance = distance_to(p);
     }
     if(!(distance < (1 - 1e-6) * least))
