@@ -8,12 +8,13 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_CHART_MESH_H
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_atlas.h>
 #include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
-#include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 #include <CGAL/squared_distance_2.h>
@@ -123,7 +124,7 @@ private:
   typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t>     Box;
 
   static constexpr int    maximum_trims = 4;
-  static constexpr double contact = 1e-9; // closer than this share of the parameters, lines touch
+  static constexpr double contact = 1e-9; // closer than this share of the smaller extent of parameters, lines touch
 
   // Faces that are wide beyond what the metric resolves may be upside down in a chart other than the one they were
   // made in, and the sides of a seam that is not glued coincide. The rim must not meet itself there: the part is left
@@ -163,7 +164,8 @@ private:
   std::vector<std::size_t> vertices_where_rim_meets_itself() const
   {
     const std::vector<Chart_edge> edges = rim();
-    const double reach = contact * m_surface_mesh.field().surface().parameters().u_extent();
+    const Parameter_rectangle r = m_surface_mesh.field().surface().parameters();
+    const double reach = contact * std::min(r.u_extent(), r.v_extent());
     std::vector<Box> boxes;
     for(std::size_t i = 0; i < edges.size(); ++i) {
       const Vector_of_doubles &p = m_coordinates[edges[i][0]], &q = m_coordinates[edges[i][1]];
