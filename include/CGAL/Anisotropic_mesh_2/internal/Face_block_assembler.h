@@ -167,21 +167,20 @@ private:
       middle[i] = {(p.x + q.x) / 2, (p.y + q.y) / 2};
       tensor[i] = tensor_at(middle[i]);
     }
-    const auto add_part = [&](const std::array<Vector_of_doubles, 3>& corner,
-                              const std::array<Weighted_tensor, 3>& tensor, const Weighted_tensor* in_middle)
+    const auto add_part = [&](const std::array<Vector_of_doubles, 3>& corner, const std::array<Weighted_tensor, 3>& tensor)
     {
       Acvt_element part;
       part.corner = corner;
       part.tensor = tensor;
-      part.middle = in_middle ? *in_middle : tensor_at(part.barycentre());
+      part.middle = tensor_at(part.barycentre());
       return add_refined(part, generators, depth - 1, couplings);
     };
     double energy = 0;
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      energy += add_part({e.corner[i], middle[k], middle[j]}, {e.tensor[i], tensor[k], tensor[j]}, nullptr);
+      energy += add_part({e.corner[i], middle[k], middle[j]}, {e.tensor[i], tensor[k], tensor[j]});
     }
-    return energy + add_part(middle, tensor, &e.middle);
+    return energy + add_part(middle, tensor);
   }
 
   // the vertices of the face and of the faces up to `rings` edges away
