@@ -74,7 +74,8 @@ make_anisotropic_surface_mesh(const Anisotropic_mesh_domain_2<K>& domain, const 
 /// generates an optimized mesh of a whole parametric surface under a metric
 /// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
-/// The mesh is that of the rectangle of parameters, or of the `domain()` of a `Triangulated_surface_3`.
+/// The mesh is that of the rectangle of parameters, or of the `domain()` of a surface that has one and no periodic
+/// parameter, such as a `Triangulated_surface_3`.
 /// Where a parameter is periodic, the mesh is closed: the unit mesh of
 /// the rectangle of parameters gets the same vertices on the sides that
 /// coincide, and discs around the poles in polar coordinates. It is then optimized by

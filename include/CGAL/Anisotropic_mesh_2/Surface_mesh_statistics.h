@@ -23,7 +23,8 @@ namespace Anisotropic_mesh_2 {
 /// Lengths are those of the straight edges in space, qualities those of the flat triangles
 /// \f$ T \f$ there, \f$ 4 \sqrt 3 |T|_M / \sum_i e_i^T M e_i \f$. Tessellation and mass centres are those in
 /// charts of the surface, in each of which the vertices that are far from where it is cut are measured.
-/// Vertices at the border of the mesh are not free.
+/// Vertices at the border of the mesh are not free. Faces that overlap others in every chart have no share in the
+/// tessellation, nor in its ideal number of vertices.
 /// \sa `CGAL::anisotropic_surface_statistics()`
 struct Surface_mesh_statistics
   : public Mesh_statistics

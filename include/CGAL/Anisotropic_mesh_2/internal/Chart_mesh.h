@@ -12,8 +12,9 @@
 #include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
 #include <CGAL/Anisotropic_mesh_2/internal/Surface_atlas.h>
 #include <CGAL/Anisotropic_mesh_2/internal/append_chart_faces.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tilted_box.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Bbox_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
@@ -120,8 +121,7 @@ public:
   }
 
 private:
-  typedef typename Kernel::Segment_2                                      Segment_2;
-  typedef Box_intersection_d::Box_with_info_d<double, 2, std::size_t>     Box;
+  typedef typename Kernel::Segment_2 Segment_2;
 
   static constexpr int    maximum_trims = 4;
   static constexpr double contact = 1e-9; // closer than this share of the smaller extent of parameters, lines touch
@@ -166,18 +166,15 @@ private:
     const std::vector<Chart_edge> edges = rim();
     const Parameter_rectangle r = m_surface_mesh.field().surface().parameters();
     const double reach = contact * std::min(r.u_extent(), r.v_extent());
-    std::vector<Box> boxes;
-    for(std::size_t i = 0; i < edges.size(); ++i) {
-      const Vector_of_doubles &p = m_coordinates[edges[i][0]], &q = m_coordinates[edges[i][1]];
-      double low[2] = {std::min(p.x, q.x) - reach, std::min(p.y, q.y) - reach};
-      double high[2] = {std::max(p.x, q.x) + reach, std::max(p.y, q.y) + reach};
-      boxes.emplace_back(low, high, i);
-    }
+    const auto segment = [&](const Chart_edge& e) { return Segment_2(point(e[0]), point(e[1])); };
+    std::vector<Tilted_box> boxes;
+    for(std::size_t i = 0; i < edges.size(); ++i)
+      boxes.push_back(tilted_box(std::array<Bbox_2, 1>{segment(edges[i]).bbox()}, reach, i));
     std::vector<std::size_t> result;
-    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Tilted_box& a, const Tilted_box& b) {
       const Chart_edge &e = edges[a.info()], &f = edges[b.info()];
       if(e[0] != f[0] && e[0] != f[1] && e[1] != f[0] && e[1] != f[1]
-         && squared_distance(Segment_2(point(e[0]), point(e[1])), Segment_2(point(f[0]), point(f[1]))) <= reach * reach)
+         && squared_distance(segment(e), segment(f)) <= reach * reach)
         result.insert(result.end(), {e[0], e[1], f[0], f[1]});
     });
     return result;

@@ -27,15 +27,18 @@ inline void check_parameters(const Parameter_rectangle& r)
   if(!r.is_valid())
     throw Invalid_domain_exception
       ("the rectangle [" + describe(r.u_min) + ", " + describe(r.u_max) + "] x [" + describe(r.v_min) + ", "
-       + describe(r.v_max) + "] of the parameters of the surface is not valid: its extents must be positive and finite, "
-       "and it may have poles only where u is periodic and v is not");
+       + describe(r.v_max) + "] of the parameters of the surface is not valid: its extents must be positive and "
+       "finite, and it may have poles only where u is periodic and v is not");
 }
 
 template <class Surface, class = void>
 struct Has_domain : std::false_type {};
 
 template <class Surface>
-struct Has_domain<Surface, std::void_t<decltype(std::declval<const Surface&>().domain())> > : std::true_type {};
+struct Has_domain<Surface, std::void_t<decltype(std::declval<const Surface&>().domain())> >
+  : std::is_convertible<decltype(std::declval<const Surface&>().domain()),
+                        Anisotropic_mesh_domain_2<typename Surface::Kernel> >
+{};
 
 // The domain of the parameters: that of the surface, if it has one, or the rectangle.
 template <class Surface>
