@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_PROGRAM_FORMULA_METRIC_FIELD_H
 #define ANISOTROPIC_MESH_2_PROGRAM_FORMULA_METRIC_FIELD_H
@@ -45,7 +45,7 @@ public:
   static Formula_metric_field from_entries(const Formula& m11, const Formula& m12, const Formula& m22);
   static Formula_metric_field from_size(const Formula& h);
 
-  // throws CGAL::Invalid_metric_tensor_exception
+  // throws CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception
   Metric_tensor_2 operator()(const Point_2& p) const;
 
 private:

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_PROGRAM_REMAINING_TIME_H
 #define ANISOTROPIC_MESH_2_PROGRAM_REMAINING_TIME_H
@@ -40,9 +40,9 @@ public:
     double iterations = double(m_iterations) - double(state.iteration);
     const double rate = std::log(m_moves.front() / m_moves.back()) / double(m_moves.size() - 1);
     if(m_tolerance > 0 && m_moves.size() == window && rate > 0)
-      iterations = std::min(iterations, std::log(m_moves.back() / m_tolerance) / rate);
-    const double seconds = std::max(0., iterations) * state.seconds / double(state.iteration);
-    return m_limit ? std::min(seconds, std::max(0., *m_limit - state.seconds)) : seconds;
+      iterations = (std::min)(iterations, std::log(m_moves.back() / m_tolerance) / rate);
+    const double seconds = (std::max)(0., iterations) * state.seconds / double(state.iteration);
+    return m_limit ? (std::min)(seconds, (std::max)(0., *m_limit - state.seconds)) : seconds;
   }
 
 private:

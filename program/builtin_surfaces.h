@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_PROGRAM_BUILTIN_SURFACES_H
 #define ANISOTROPIC_MESH_2_PROGRAM_BUILTIN_SURFACES_H
@@ -10,11 +10,11 @@
 #include "Metric_field.h"
 
 #include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
-#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Metric_tensor_3.h>
-#include <CGAL/Parametric_ellipsoid_3.h>
-#include <CGAL/Parametric_torus_3.h>
-#include <CGAL/Quadratic_graph_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Parametric_ellipsoid_3.h>
+#include <CGAL/Anisotropic_mesh_2/Parametric_torus_3.h>
+#include <CGAL/Anisotropic_mesh_2/Quadratic_graph_surface_3.h>
 
 #include <algorithm>
 #include <array>
@@ -76,7 +76,7 @@ inline Parameter_rectangle centred_square(double side)
 // refined at a pole
 inline Surface_with_metric ellipsoid(double scale)
 {
-  return {Any_surface(CGAL::Parametric_ellipsoid_3<Kernel>(2, 1.2, 0.8)), isotropic(scale, [](const Point_3& p) {
+  return {Any_surface(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<Kernel>(2, 1.2, 0.8)), isotropic(scale, [](const Point_3& p) {
     return 0.03 + 0.1 * std::hypot(p.x(), p.y(), p.z() - 0.8);
   })};
 }
@@ -84,14 +84,14 @@ inline Surface_with_metric ellipsoid(double scale)
 // refined along a line
 inline Surface_with_metric paraboloid(double scale)
 {
-  return {Any_surface(CGAL::Quadratic_graph_surface_3<Kernel>(1, 1, centred_square(2))),
+  return {Any_surface(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<Kernel>(1, 1, centred_square(2))),
           isotropic(scale, [](const Point_3& p) { return 0.04 + 0.15 * std::abs(p.y()); })};
 }
 
 // refined along the outer circle
 inline Surface_with_metric torus(double scale)
 {
-  return {Any_surface(CGAL::Parametric_torus_3<Kernel>(2, 0.7)), isotropic(scale, [](const Point_3& p) {
+  return {Any_surface(CGAL::Anisotropic_mesh_2::Parametric_torus_3<Kernel>(2, 0.7)), isotropic(scale, [](const Point_3& p) {
     return 0.08 + 0.2 * std::hypot(std::hypot(p.x(), p.y()) - 2.7, p.z());
   })};
 }
@@ -99,15 +99,15 @@ inline Surface_with_metric torus(double scale)
 inline Surface_with_metric saddle_sizes(double scale)
 {
   const Metric_tensor_3 m = Metric_tensor_3::from_sizes(0.04 * scale, 0.4 * scale, 0.04 * scale);
-  return {Any_surface(CGAL::Quadratic_graph_surface_3<Kernel>(2, -4, centred_square(1))),
+  return {Any_surface(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<Kernel>(2, -4, centred_square(1))),
           [m](const Any_surface&, const Point_2&) { return m; }};
 }
 
 // The chord error grows with the square of the sizes.
 inline Surface_with_metric saddle_curvature(double scale)
 {
-  typedef CGAL::Quadratic_graph_surface_3<Kernel> Saddle;
-  const CGAL::Curvature_metric_3<Any_surface> metric(std::min(0.99, 0.001 * scale*scale), 0.005 * scale, scale);
+  typedef CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<Kernel> Saddle;
+  const CGAL::Anisotropic_mesh_2::Curvature_metric_3<Any_surface> metric(std::min(0.99, 0.001 * scale*scale), 0.005 * scale, scale);
   return {Any_surface(Saddle(2, -4, centred_square(2))), metric};
 }
 

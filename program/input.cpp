@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #include "input.h"
 
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/poly.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/POLY.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
 
@@ -27,16 +27,16 @@ typedef CGAL::Discrete_metric_field_2<Kernel>                           Discrete
 Domain domain_of_file(const std::string& path)
 {
   if(extension_of(path) != ".poly")
-    return Domain(CGAL::IO::read_medit<Kernel>(path));
-  Domain domain(CGAL::IO::read_poly<Kernel>(path));
+    return Domain(CGAL::IO::read_MEDIT<Kernel>(path));
+  Domain domain(CGAL::IO::read_POLY<Kernel>(path));
   domain.set_rule(CGAL::Anisotropic_mesh_2::Domain_rule::SEEDS);
   return domain;
 }
 
 Metric_field metric_of_files(const std::string& metric_file, const std::string& background_file)
 {
-  const Graph background = CGAL::IO::read_medit<Kernel>(background_file);
-  const std::vector<Metric_tensor_2> tensors = CGAL::IO::read_medit_metric<Kernel>(metric_file);
+  const Graph background = CGAL::IO::read_MEDIT<Kernel>(background_file);
+  const std::vector<Metric_tensor_2> tensors = CGAL::IO::read_MEDIT_metric<Kernel>(metric_file);
   try {
     return Discrete_metric_field(background, tensors);
   }

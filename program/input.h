@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_PROGRAM_INPUT_H
 #define ANISOTROPIC_MESH_2_PROGRAM_INPUT_H
@@ -13,7 +13,7 @@
 namespace program {
 
 // Reads the domain and builds the metric. Throws Unusable_input and
-// CGAL::Invalid_domain_exception.
+// CGAL::Anisotropic_mesh_2::Invalid_domain_exception.
 Domain_with_metric read_input(const Options& options);
 
 } // namespace program

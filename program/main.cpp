@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #include "Options.h"
 #include "Progress.h"
@@ -12,9 +12,9 @@
 #include "output.h"
 #include "surface_job.h"
 
-#include <CGAL/Invalid_domain_exception.h>
-#include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
 #include <CGAL/assertions_behaviour.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -58,13 +58,13 @@ void run(const Options& options)
     progress.say("stopped by " + report.stop_reason);
     write_outputs(mesh, options, report);
   }
-  catch(const CGAL::Invalid_domain_exception& e) {
+  catch(const CGAL::Anisotropic_mesh_2::Invalid_domain_exception& e) {
     throw Unusable_input(name_of_domain(options) + ": " + e.what());
   }
-  catch(const CGAL::Too_many_vertices_exception& e) {
+  catch(const CGAL::Anisotropic_mesh_2::Too_many_vertices_exception& e) {
     throw Unusable_input(name_of_metric(options) + ": " + e.what());
   }
-  catch(const CGAL::Invalid_metric_tensor_exception& e) {
+  catch(const CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception& e) {
     throw Unusable_input(name_of_metric(options) + ": " + e.what());
   }
 }

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H
 #define ANISOTROPIC_MESH_2_PROGRAM_MESH_JOB_H
@@ -18,7 +18,7 @@
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
@@ -118,7 +118,7 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   timer.start();
   const CGAL::Mesh_optimization_return_code code = options.optimizer == Optimizer::LLOYD
     ? CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, parameters)
-    : CGAL::acvt_optimize_mesh_2(mesh, parameters);
+    : CGAL::optimize_anisotropic_mesh_2(mesh, parameters);
   report.seconds_optimize = timer.time();
   report.stop_reason = name_of(code);
 }

@@ -1,17 +1,17 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #include "output.h"
 
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/off.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
-#include <CGAL/Anisotropic_mesh_2/IO/vtu.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
+#include <CGAL/Anisotropic_mesh_2/IO/VTU.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 
 #include <nlohmann/json.hpp>
@@ -41,9 +41,9 @@ void check_output(const std::string& option, const std::string& path)
 void write_mesh(const Mesh& mesh, const Output& output)
 {
   switch(output.format) {
-  case File_format::MESH: return CGAL::IO::write_medit(output.path, mesh);
+  case File_format::MESH: return CGAL::IO::write_MEDIT(output.path, mesh);
   case File_format::VTU:  return CGAL::IO::write_vtu(output.path, mesh);
-  case File_format::OFF:  return CGAL::IO::write_off(output.path, mesh);
+  case File_format::OFF:  return CGAL::IO::write_OFF(output.path, mesh);
   case File_format::SVG:  return CGAL::IO::write_SVG(output.path, mesh);
   case File_format::PLY:  break; // refused before
   }

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #include "surface_job.h"
 
@@ -13,10 +13,10 @@
 
 #include <CGAL/Anisotropic_mesh_2/IO/surface.h>
 #include <CGAL/Surface_metric_field_2.h>
-#include <CGAL/acvt_optimize_surface_mesh.h>
-#include <CGAL/anisotropic_surface_statistics.h>
-#include <CGAL/anisotropic_surface_voronoi_regions.h>
-#include <CGAL/make_anisotropic_surface_mesh.h>
+#include <CGAL/optimize_anisotropic_surface_mesh_3.h>
+#include <CGAL/anisotropic_surface_mesh_statistics_3.h>
+#include <CGAL/anisotropic_surface_Voronoi_regions_3.h>
+#include <CGAL/make_anisotropic_surface_mesh_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
@@ -74,7 +74,7 @@ Surface_mesh make_unit_mesh(const Options& options, Run_report& report)
   const Surface_with_metric input = builtin_surface(options.domain, options.scale);
   CGAL::Real_timer timer;
   timer.start();
-  Surface_mesh mesh = CGAL::make_anisotropic_surface_mesh(Surface_field(input.surface, input.metric),
+  Surface_mesh mesh = CGAL::make_anisotropic_surface_mesh_3(Surface_field(input.surface, input.metric),
                                                           CGAL::parameters::number_of_iterations(0));
   report.seconds_mesh = timer.time();
   return mesh;
@@ -87,7 +87,7 @@ void optimize(Surface_mesh& mesh, const Options& options, Progress& progress, Ru
   const Interruption interruption;
   CGAL::Real_timer timer;
   timer.start();
-  report.stop_reason = name_of(CGAL::acvt_optimize_surface_mesh
+  report.stop_reason = name_of(CGAL::optimize_anisotropic_surface_mesh_3
     (mesh, CGAL::Anisotropic_mesh_2::parameters::convergence(options.tolerance)
              .number_of_iterations(options.iterations)
              .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
@@ -98,8 +98,8 @@ void optimize(Surface_mesh& mesh, const Options& options, Progress& progress, Ru
 void write_mesh(const Surface_mesh& mesh, const Output& output)
 {
   switch(output.format) {
-  case File_format::OFF: return CGAL::IO::write_off(output.path, mesh);
-  case File_format::PLY: return CGAL::IO::write_ply(output.path, mesh);
+  case File_format::OFF: return CGAL::IO::write_OFF(output.path, mesh);
+  case File_format::PLY: return CGAL::IO::write_PLY(output.path, mesh);
   default:               return CGAL::IO::write_SVG(output.path, mesh);
   }
 }
@@ -117,9 +117,9 @@ void run_surface(const Options& options, Progress& progress)
   for(const Output& output : options.meshes)
     write_mesh(mesh, output);
   if(!options.voronoi.empty())
-    CGAL::IO::write_SVG(options.voronoi, CGAL::anisotropic_surface_voronoi_regions(mesh, 1e-2), mesh.is_closed());
+    CGAL::IO::write_SVG(options.voronoi, CGAL::anisotropic_surface_Voronoi_regions_3(mesh, 1e-2), mesh.is_closed());
   if(!options.stats.empty())
-    write_statistics(options.stats, CGAL::anisotropic_surface_statistics(mesh), report);
+    write_statistics(options.stats, CGAL::anisotropic_surface_mesh_statistics_3(mesh), report);
 }
 
 } // namespace program

@@ -13,10 +13,10 @@
 #include "input.h"
 #include "mesh_job.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Boundary_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
+#include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/assertions_behaviour.h>
 
 #include <nlohmann/json.hpp>
@@ -39,7 +39,7 @@ using program::Mesh;
 using program::Point_2;
 
 typedef CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>    Graph;
-typedef CGAL::Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel>       Edge_graph;
+typedef CGAL::Anisotropic_mesh_2::internal::Boundary_graph_2<Kernel>       Edge_graph;
 typedef std::pair<std::size_t, std::size_t>                               Edge;
 
 // thrown if the triangles are not a mesh
@@ -149,7 +149,7 @@ Mesh mesh_of(const Graph& graph, double area, const program::Metric_field& metri
 nlohmann::ordered_json judge(const std::string& file, const program::Options& options)
 {
   const program::Metric_field metric = program::read_input(options).metric;
-  const Graph graph = CGAL::IO::read_medit<Kernel>(file);
+  const Graph graph = CGAL::IO::read_MEDIT<Kernel>(file);
   if(graph.triangles.empty())
     throw Not_a_mesh("no triangles");
   const double area = area_of(graph);

@@ -16,7 +16,7 @@
 #include <CGAL/Mesh_2/Mesh_sizing_field.h>
 #include <CGAL/Random.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -142,7 +142,7 @@ template <class Mesh>
 void time_acvt(benchmark::State& state, const Mesh& start)
 {
   time_iterations(state, start, [](Mesh& mesh) {
-    CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(iterations));
+    CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(iterations));
   });
 }
 
@@ -168,7 +168,7 @@ auto mesh_of(const Cdt& cdt)
   typedef CGAL::Riemannian_metric_traits_2<K, Isotropic> Traits;
   typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits>      Mesh;
   Mesh mesh{Traits(isotropic(cdt.number_of_vertices()))};
-  typename Mesh::Boundary_mesh boundary;
+  typename Mesh::Boundary_graph boundary;
   std::map<Point, std::size_t> numbers;
   const auto number = [&](const Point& p)
   {

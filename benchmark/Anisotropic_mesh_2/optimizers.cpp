@@ -4,9 +4,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_optimizer.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Acvt_optimizer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
@@ -32,7 +32,7 @@ typedef K::Point_2                                          Point;
 typedef CGAL::Metric_tensor_2<K>                            Tensor;
 typedef std::function<Tensor(const Point&)>                 Field;
 typedef CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K, Field> > Mesh;
-typedef internal::Acvt_energy<Mesh>                         Energy;
+typedef internal::Facewise_energy<Mesh>                         Energy;
 typedef internal::Vertex_mover<Mesh>                        Mover;
 
 constexpr std::size_t bound = 100;
@@ -201,7 +201,7 @@ std::vector<Case> cases()
        const double d = std::abs(p.y() - 5), h = d/5 + 0.04;
        return Tensor::from_sizes(std::abs(5 - 4*d/5) * h, h); }},
     {"polar-2", polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), [](const Point& p) {
-       const double r = std::hypot(p.x(), p.y()), d = std::min(10*std::abs(r - 0.5), 1.);
+       const double r = std::hypot(p.x(), p.y()), d = (std::min)(10*std::abs(r - 0.5), 1.);
        return Tensor::from_sizes(0.001 + 0.198*std::abs(r - 0.5), 0.1*d + 0.025*(1 - d), std::atan2(p.y(), p.x())); }},
     {"square4, 10 000", polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), [s](const Point& p) {
        return Tensor::from_sizes(s * (0.031 + p.x() / 4), s * (0.031 + p.y() / 4)); }}};

@@ -3,13 +3,13 @@
 // cost. Prints tables in Markdown; the reference is a much finer sampling.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Visibility_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -79,7 +79,7 @@ void print_row(const Mesh& mesh, const std::vector<Region>& reference, const Sam
     const double error = std::sqrt(vertices[i]->metric_tensor().squared_length(found[i].x - reference[i].x,
                                                                                found[i].y - reference[i].y));
     mean += error / double(found.size());
-    largest = std::max(largest, error);
+    largest = (std::max)(largest, error);
     area += std::abs(found[i].area / reference[i].area - 1) / double(found.size());
   }
   std::cout << "| " << sampling.subdivisions_of_edges << " | " << sampling.steps << " | "
@@ -95,7 +95,7 @@ void print_table(const std::string& name, double side, const Field& field)
   CGAL::Anisotropic_mesh_domain_2<K> square;
   square.add_polygon(std::vector<Point>{{0, 0}, {side, 0}, {side, side}, {0, side}});
   auto mesh = CGAL::make_anisotropic_mesh_2(square, field);
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(50));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(50));
 
   Sampling finest;
   finest.subdivisions_of_edges = 200;
@@ -103,7 +103,7 @@ void print_table(const std::string& name, double side, const Field& field)
   finest.parts_of_radius = 32;
   const std::vector<Region> reference = regions(mesh, finest);
   std::cout << "\n" << name << ", " << mesh.number_of_vertices() << " vertices; by faces: " << std::setprecision(3)
-            << microseconds_per_vertex(internal::Acvt_energy<decltype(mesh)>(mesh, measure), mesh)
+            << microseconds_per_vertex(internal::Facewise_energy<decltype(mesh)>(mesh, measure), mesh)
             << " us per vertex\n\n"
             << "| N_D | M_D | crossings | error of mass centres, mean | largest | error of areas, mean "
             << "| us per vertex |\n"

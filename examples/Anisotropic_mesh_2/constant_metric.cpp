@@ -3,10 +3,10 @@
 // points, stretched by the metric.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Constant_metric_field_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -26,7 +26,7 @@ int main()
   const CGAL::Constant_metric_field_2<K> field(Tensor::from_sizes(0.3, 0.03, 0.5));
 
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
 
   const auto statistics = CGAL::anisotropic_mesh_statistics_2(mesh);
   std::cout << statistics;

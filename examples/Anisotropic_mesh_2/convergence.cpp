@@ -4,7 +4,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -47,7 +47,7 @@ void compare(const std::string& name, const std::vector<Point>& polygon, const F
   auto mesh = unit_mesh;
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, parameters(name + "\tLloyd"));
   mesh = unit_mesh;
-  CGAL::acvt_optimize_mesh_2(mesh, parameters(name + "\tquasi-Newton"));
+  CGAL::optimize_anisotropic_mesh_2(mesh, parameters(name + "\tquasi-Newton"));
 }
 
 int main()

@@ -4,15 +4,15 @@
 //   files [DOMAIN.poly]
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/off.h>
-#include <CGAL/Anisotropic_mesh_2/IO/poly.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
-#include <CGAL/Anisotropic_mesh_2/IO/vtu.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
+#include <CGAL/Anisotropic_mesh_2/IO/POLY.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
+#include <CGAL/Anisotropic_mesh_2/IO/VTU.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cmath>
@@ -29,37 +29,37 @@ using Domain = CGAL::Anisotropic_mesh_domain_2<K>;
 void write_background(const Domain& domain)
 {
   const CGAL::Constant_metric_field_2<K> uniform(Tensor::from_size(0.2));
-  CGAL::IO::write_medit("background.mesh", CGAL::make_anisotropic_mesh_2(domain, uniform));
+  CGAL::IO::write_MEDIT("background.mesh", CGAL::make_anisotropic_mesh_2(domain, uniform));
 
   std::vector<Tensor> tensors; // in the order of the vertices in the file
-  for(const Point& p : CGAL::IO::read_medit<K>("background.mesh").points) {
+  for(const Point& p : CGAL::IO::read_MEDIT<K>("background.mesh").points) {
     const double distance = std::hypot(p.x(), p.y()) - 0.5; // to the hole of the plate
     tensors.push_back(Tensor::from_sizes(0.03 + 0.2 * std::abs(distance), 0.2, std::atan2(p.y(), p.x())));
   }
-  CGAL::IO::write_medit_metric("background.sol", tensors);
+  CGAL::IO::write_MEDIT_metric("background.sol", tensors);
 }
 
 int main(int argc, char* argv[])
 {
   try {
-    const Domain domain(CGAL::IO::read_poly<K>(argc > 1 ? argv[1] : "data/plate.poly"));
+    const Domain domain(CGAL::IO::read_POLY<K>(argc > 1 ? argv[1] : "data/plate.poly"));
     write_background(domain);
 
-    const CGAL::Discrete_metric_field_2<K> field(CGAL::IO::read_medit<K>("background.mesh"),
-                                                 CGAL::IO::read_medit_metric<K>("background.sol"));
+    const CGAL::Discrete_metric_field_2<K> field(CGAL::IO::read_MEDIT<K>("background.mesh"),
+                                                 CGAL::IO::read_MEDIT_metric<K>("background.sol"));
     auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-    CGAL::acvt_optimize_mesh_2(mesh);
+    CGAL::optimize_anisotropic_mesh_2(mesh);
 
-    CGAL::IO::write_medit("files.mesh", mesh); // with references of edges and subdomains
-    CGAL::IO::write_medit_metric("files.sol", mesh);
+    CGAL::IO::write_MEDIT("files.mesh", mesh); // with references of edges and subdomains
+    CGAL::IO::write_MEDIT_metric("files.sol", mesh);
     CGAL::IO::write_vtu("files.vtu", mesh);
-    CGAL::IO::write_off("files.off", mesh);
+    CGAL::IO::write_OFF("files.off", mesh);
     CGAL::IO::write_SVG("files.svg", mesh, "The mesh that was written");
 
     // The mesh is the background of the next round, and its border bounds the domain.
-    const auto background = CGAL::IO::read_medit<K>("files.mesh");
+    const auto background = CGAL::IO::read_MEDIT<K>("files.mesh");
     const CGAL::Discrete_metric_field_2<K> next_field(background,
-                                                      CGAL::IO::read_medit_metric<K>("files.sol"));
+                                                      CGAL::IO::read_MEDIT_metric<K>("files.sol"));
     const auto next = CGAL::make_anisotropic_mesh_2(Domain(background), next_field);
     std::cout << mesh.number_of_vertices() << " vertices, and " << next.number_of_vertices()
               << " in the next round" << std::endl;

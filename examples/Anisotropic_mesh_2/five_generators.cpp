@@ -3,7 +3,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 
@@ -23,7 +23,7 @@ using Diagram = CGAL::Anisotropic_Voronoi_diagram_2<Mesh>;
 // the corners of the square [-1,1]^2, which are generators as well, and its centre
 Mesh five_generators(const Field& field)
 {
-  Mesh::Boundary_mesh square;
+  Mesh::Boundary_graph square;
   square.points = {Point(-1, -1), Point(1, -1), Point(1, 1), Point(-1, 1)};
   for(std::size_t i = 0; i < 4; ++i)
     square.segments.push_back({i, (i + 1) % 4, 1, true});

@@ -7,13 +7,13 @@
 //   function_approximation [NUMBER_OF_VERTICES]
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Gradient_metric_field_2.h>
 #include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/piecewise_constant_approximation_error_2.h>
 #include <CGAL/piecewise_linear_approximation_error_2.h>
@@ -108,7 +108,7 @@ auto mesh_of_size(std::size_t n, double tolerance, Purpose purpose, const Field_
     scale *= std::sqrt(double(mesh.number_of_vertices()) / double(n));
     mesh = unit_mesh(field(scale));
   }
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(purpose == Purpose::VERTICES)
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(purpose == Purpose::VERTICES)
                                      .number_of_iterations(30));
   return mesh;
 }

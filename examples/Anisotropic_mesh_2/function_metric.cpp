@@ -3,13 +3,13 @@
 // with a uniform mesh of no fewer vertices.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Gradient_metric_field_2.h>
 #include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/piecewise_constant_approximation_error_2.h>
 #include <CGAL/piecewise_linear_approximation_error_2.h>
@@ -44,7 +44,7 @@ auto mesh_under(const Field& field)
   CGAL::Anisotropic_mesh_domain_2<K> square;
   square.add_polygon(std::vector<Point>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   auto mesh = CGAL::make_anisotropic_mesh_2(square, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   return mesh;
 }
 

@@ -3,13 +3,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/surface.h>
-#include <CGAL/Callable_surface_3.h>
-#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Anisotropic_mesh_2/Callable_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_metric_field_2.h>
-#include <CGAL/anisotropic_surface_statistics.h>
+#include <CGAL/anisotropic_surface_mesh_statistics_3.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/make_anisotropic_surface_mesh.h>
+#include <CGAL/make_anisotropic_surface_mesh_3.h>
 
 #include <cmath>
 #include <iostream>
@@ -23,11 +23,11 @@ int main()
   const auto surface = CGAL::make_graph_surface_3<K>(height, {0, 3, 0, 3}); // x and y from 0 to 3
 
   // edges come as close to the surface as 0.002 radii of curvature; sizes from 0.02 to 0.5
-  const CGAL::Curvature_metric_3<std::decay_t<decltype(surface)> > metric(0.002, 0.02, 0.5);
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(CGAL::make_surface_metric_field_2(surface, metric));
+  const CGAL::Anisotropic_mesh_2::Curvature_metric_3<std::decay_t<decltype(surface)> > metric(0.002, 0.02, 0.5);
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(CGAL::make_surface_metric_field_2(surface, metric));
 
-  std::cout << CGAL::anisotropic_surface_statistics(mesh);
-  CGAL::IO::write_off("graph_surface.off", mesh);
+  std::cout << CGAL::anisotropic_surface_mesh_statistics_3(mesh);
+  CGAL::IO::write_OFF("graph_surface.off", mesh);
   CGAL::IO::write_SVG("graph_surface.svg", mesh, "sin(x) cos(y)", {2.2, 0.7}); // seen from behind, and from above
 
   CGAL::Surface_mesh<K::Point_3> faces;

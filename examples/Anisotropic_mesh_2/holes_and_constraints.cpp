@@ -2,11 +2,11 @@
 // follow and that parts the plate into two subdomains.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Curve_piece_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/Curve_piece_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@
 using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point  = K::Point_2;
 using Tensor = CGAL::Metric_tensor_2<K>;
-using Curve  = CGAL::Curve_piece_2<K>;
+using Curve  = CGAL::Anisotropic_mesh_2::Curve_piece_2<K>;
 
 int main()
 {
@@ -35,7 +35,7 @@ int main()
   };
 
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
 
   std::map<int, int> edges, faces;
   for(const auto& e : mesh.edges_in_domain())
@@ -49,7 +49,7 @@ int main()
   for(const auto& r : faces)
     std::cout << r.second << " faces of subdomain " << r.first << '\n';
 
-  CGAL::IO::write_medit("holes_and_constraints.mesh", mesh);
+  CGAL::IO::write_MEDIT("holes_and_constraints.mesh", mesh);
   CGAL::IO::write_SVG("holes_and_constraints.svg", mesh);
   return edges.size() == 3 && faces.size() == 2 ? 0 : 1;
 }

@@ -4,13 +4,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
@@ -56,7 +56,7 @@ int main()
   const auto before = CGAL::anisotropic_mesh_statistics_2(mesh);
 
   CGAL::refine_anisotropic_mesh_2(mesh);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   const auto after = CGAL::anisotropic_mesh_statistics_2(mesh);
 
   std::cout << "vertices: " << before.vertices << ", then " << after.vertices

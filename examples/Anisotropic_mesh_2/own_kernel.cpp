@@ -8,7 +8,7 @@
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <iostream>
@@ -61,7 +61,7 @@ int main()
   CGAL::Anisotropic_mesh_domain_2<Exact> domain;
   domain.add_polygon(border);
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field_of_grid<Exact>());
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
 
   int on_border = 0, fixed = 0;
   for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v) {

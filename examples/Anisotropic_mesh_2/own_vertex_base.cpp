@@ -6,7 +6,7 @@
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <iostream>
@@ -47,7 +47,7 @@ int main()
   pond.remove(white);
   pond.move(green, Point(0.2, 0.15)); // across many faces
   // Buoys may drift, but not vanish, as vertices off constrained edges might by topological moves.
-  CGAL::acvt_optimize_mesh_2(pond, CGAL::Anisotropic_mesh_2::parameters::topological_moves(false));
+  CGAL::optimize_anisotropic_mesh_2(pond, CGAL::Anisotropic_mesh_2::parameters::topological_moves(false));
 
   int buoys = 0;
   for(auto v = pond.finite_vertices_begin(); v != pond.finite_vertices_end(); ++v)

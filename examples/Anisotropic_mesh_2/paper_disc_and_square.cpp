@@ -2,7 +2,7 @@
 // metric, and a square whose sizes grow with x and with y.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Constant_metric_field_2.h>

@@ -3,9 +3,9 @@
 // across the line and long along it, they give the quality that the paper reports.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -24,7 +24,7 @@ void mesh_square(const std::string& name, const Field& field)
   CGAL::Anisotropic_mesh_domain_2<K> square;
   square.add_polygon(std::vector<Point>{{0, 0}, {10, 0}, {10, 10}, {0, 10}});
   auto mesh = CGAL::make_anisotropic_mesh_2(square, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   std::cout << name << '\n' << CGAL::anisotropic_mesh_statistics_2(mesh) << std::endl;
   CGAL::IO::write_SVG(name + ".svg", mesh);
 }

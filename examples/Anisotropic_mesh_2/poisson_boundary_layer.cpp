@@ -5,7 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Hessian_metric_field_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <Eigen/Eigen>
@@ -68,7 +68,7 @@ Mesh mesh_of_size(double n, Hessian hessian)
   Mesh mesh = unit_mesh(hessian, size);
   for(int i = 0; i < 2; ++i)
     mesh = unit_mesh(hessian, size *= std::sqrt(double(mesh.number_of_vertices()) / n));
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(15));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(15));
   return mesh;
 }
 
@@ -90,7 +90,7 @@ auto mean(const Triangle& t, const F& f) -> decltype(mean_by_rule(t, f))
   Triangle middles;
   middles << (t.col(0) + t.col(1)) / 2, (t.col(1) + t.col(2)) / 2, (t.col(2) + t.col(0)) / 2;
   const double distance = t.topRows<2>().colwise().norm().minCoeff() - radius;
-  if(2 * (middles - t).colwise().norm().maxCoeff() <= std::max(width, distance))
+  if(2 * (middles - t).colwise().norm().maxCoeff() <= (std::max)(width, distance))
     return mean_by_rule(t, f);
   auto sum = mean(middles, f);
   for(int i = 0; i < 3; ++i)

@@ -2,7 +2,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ int main()
 
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
   namespace np = CGAL::Anisotropic_mesh_2::parameters;
-  const auto code = CGAL::acvt_optimize_mesh_2(mesh, np::convergence(1e-4).visitor(Progress()));
+  const auto code = CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(1e-4).visitor(Progress()));
   std::cout << (code == CGAL::BOUND_REACHED ? "stopped by the visitor" : "ended by itself") << std::endl;
   return mesh.is_valid() ? 0 : 1;
 }

@@ -5,7 +5,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/centroid.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -37,7 +37,7 @@ Histogram qualities(const Mesh& mesh, const Field& field)
       continue;
     const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
     const double q = quality(a, b, c, field(CGAL::centroid(a, b, c)));
-    const double bin = std::min(q, 0.999) * double(histogram.size());
+    const double bin = (std::min)(q, 0.999) * double(histogram.size());
     histogram[std::size_t(bin)] += share;
   }
   return histogram;
@@ -50,7 +50,7 @@ void compare(const std::string& name, const Field& field)
   square.add_polygon(std::vector<Point>{{0, 0}, {10, 0}, {10, 10}, {0, 10}});
   auto mesh = CGAL::make_anisotropic_mesh_2(square, field);
   const Histogram before = qualities(mesh, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   const Histogram after = qualities(mesh, field);
   for(std::size_t i = 0; i < before.size(); ++i)
     std::cout << name << '\t' << double(i) / double(before.size()) << '\t'

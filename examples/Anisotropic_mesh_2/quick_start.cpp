@@ -1,9 +1,9 @@
 // A square, sizes that grow with x and with y: mesh, optimize, report, draw.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -22,7 +22,7 @@ int main()
   domain.add_polygon(square);
 
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
 
   std::cout << CGAL::anisotropic_mesh_statistics_2(mesh);
   CGAL::IO::write_SVG("quick_start.svg", mesh);

@@ -5,15 +5,15 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/surface.h>
-#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Triangulated_surface_3.h>
-#include <CGAL/anisotropic_surface_statistics.h>
+#include <CGAL/Anisotropic_mesh_2/Triangulated_surface_3.h>
+#include <CGAL/anisotropic_surface_mesh_statistics_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/make_anisotropic_surface_mesh.h>
+#include <CGAL/make_anisotropic_surface_mesh_3.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -26,8 +26,8 @@ using K       = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = K::Point_2;
 using Point_3 = K::Point_3;
 using Scan    = CGAL::Surface_mesh<Point_3>;
-using Surface = CGAL::Triangulated_surface_3<K>;
-using Metric  = CGAL::Curvature_metric_3<Surface>;
+using Surface = CGAL::Anisotropic_mesh_2::Triangulated_surface_3<K>;
+using Metric  = CGAL::Anisotropic_mesh_2::Curvature_metric_3<Surface>;
 
 double bump(double x, double y) { return std::exp(-x*x - y*y); }
 
@@ -78,13 +78,13 @@ bool remesh(const Scan& scan)
   const Surface surface(scan);
   const double d = diagonal(scan);
   const Metric metric(0.005, d / 200, d / 25, 4); // relative chord error, bounds of the sizes and of their ratio
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface.domain(),
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(surface.domain(),
                                                         CGAL::make_surface_metric_field_2(surface, metric));
-  const auto s = CGAL::anisotropic_surface_statistics(mesh);
+  const auto s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   std::cout << scan.number_of_vertices() << " vertices became " << s.vertices
             << "\nmean quality in the metric: " << s.quality_mean << ", least: " << s.quality_min
             << "\nmean distance to the scan: " << 100 * s.distance_mean / d << " % of the diagonal" << std::endl;
-  CGAL::IO::write_off("remesh_scan.off", mesh);
+  CGAL::IO::write_OFF("remesh_scan.off", mesh);
   CGAL::IO::write_SVG("surface_scan.svg", mesh, "", {-1.3, 1.2}); // from the front
   return s.quality_mean > 0.9;
 }

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_DELAUNAY_MESH_2_H
 #define CGAL_ANISOTROPIC_DELAUNAY_MESH_2_H
@@ -10,10 +10,10 @@
 #include <CGAL/Anisotropic_mesh_face_base_2.h>
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/assign_data.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Boundary_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/graph_of_triangulation.h>
-#include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
+#include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/graph_of_triangulation.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -41,7 +41,7 @@ namespace CGAL {
 ///
 /// \sa `make_anisotropic_mesh_2()`
 /// \sa `refine_anisotropic_mesh_2()`
-/// \sa `acvt_optimize_mesh_2()`
+/// \sa `optimize_anisotropic_mesh_2()`
 template <class Gt, class Tds_ = Default>
 class Anisotropic_Delaunay_mesh_2
 #ifdef DOXYGEN_RUNNING
@@ -85,9 +85,9 @@ public:
   /// `target` of its points, the integer `reference`, and the flag `is_boundary`: whether crossing it toggles
   /// between outside and inside.
 #ifdef DOXYGEN_RUNNING
-  typedef unspecified_type Boundary_mesh;
+  typedef unspecified_type Boundary_graph;
 #else
-  typedef Anisotropic_mesh_2::internal::Boundary_mesh_2<Kernel> Boundary_mesh;
+  typedef Anisotropic_mesh_2::internal::Boundary_graph_2<Kernel> Boundary_graph;
 #endif
   /// @}
 
@@ -108,8 +108,8 @@ public:
   /// The references of its regions are kept for later calls of `mark_domain()`.
   /// \throw CGAL::Constrained_triangulation_2::Intersection_of_constraints_exception
   /// if edges cross.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a point.
-  void insert_boundary(const Boundary_mesh& boundary)
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point.
+  void insert_boundary(const Boundary_graph& boundary)
   {
     m_regions = boundary.regions;
     const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
@@ -124,7 +124,7 @@ public:
   /// \tparam Triangulation an instance of `Constrained_triangulation_2` or of a class derived from it, whose points are
   /// those of the mesh and whose faces are models of `DelaunayMeshFaceBase_2`, like those of a `Delaunay_mesher_2`.
   /// \pre the mesh is empty, and the boundary of the domain is constrained in `triangulation`.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a vertex.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a vertex.
   template <class Triangulation>
   void insert_triangulation(const Triangulation& triangulation)
   {
@@ -301,7 +301,7 @@ private:
 
   static std::uint64_t key(Vertex_handle u, Vertex_handle v)
   {
-    const std::uint64_t i = std::min(u->index(), v->index()), j = std::max(u->index(), v->index());
+    const std::uint64_t i = (std::min)(u->index(), v->index()), j = (std::max)(u->index(), v->index());
     return (i << 32) | j;
   }
   static std::uint64_t key(const Edge& e)

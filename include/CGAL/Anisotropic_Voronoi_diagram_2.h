@@ -1,26 +1,26 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_VORONOI_DIAGRAM_2_H
 #define CGAL_ANISOTROPIC_VORONOI_DIAGRAM_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Mesh_generators.h>
-#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Polyline_chainer.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Region_assembler.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Region_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Mesh_generators.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Polyline_chainer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_assembler.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_subdivision.h>
 #include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Region_integrals_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_bisector_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_duality_2.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_region_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Triangle_of_doubles.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -92,7 +92,7 @@ public:
   /// \param tolerance how far bisectors may be from where they should be,
   /// relative to the distance to their generators.
   /// \pre `tolerance` lies between 10<sup>-9</sup> and 0.1.
-  /// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
   explicit Anisotropic_Voronoi_diagram_2(const Mesh& mesh, const Distance& distance = Distance(),
                                          double tolerance = 1e-4)
     : m_mesh(mesh), m_generators(mesh, distance)
@@ -136,7 +136,7 @@ public:
   /// the index of the region to which `p` belongs, the least one if there are
   /// several; decided by the distances to the generators alone, without the regions.
   /// \pre `number_of_regions() > 0`
-  /// \throw Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
   std::size_t nearest_generator(const Point_2& p) const
   {
     CGAL_precondition(number_of_regions() > 0);
@@ -144,7 +144,7 @@ public:
   }
 
   /// the squared distance from `p` to the generator of region `i`.
-  /// \throw Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
     return m_generators.set().squared_distance(place_at(p), i);
@@ -161,7 +161,7 @@ public:
   /// \param measure whether areas are weighted by the root of the determinant of the tensor
   /// \param tolerance of the mass centre, relative to the root mean square distance to the generator
   /// \return the integrals, with a bound of the error of the mass centre
-  /// \throw Invalid_metric_tensor_exception if the field fails at a point of the region.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the region.
   Integrals integrals(std::size_t i,
                       Anisotropic_mesh_2::Measure measure = Anisotropic_mesh_2::Measure::RIEMANNIAN,
                       double tolerance = 1e-4) const

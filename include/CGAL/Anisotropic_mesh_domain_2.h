@@ -1,20 +1,20 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_DOMAIN_2_H
 #define CGAL_ANISOTROPIC_MESH_DOMAIN_2_H
 
-#include <CGAL/Curve_piece_2.h>
-#include <CGAL/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Curve_piece_2.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Domain_piece_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
-#include <CGAL/Anisotropic_mesh_2/internal/domain_from_graph.h>
-#include <CGAL/Anisotropic_mesh_2/internal/prepare_domain.h>
+#include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_piece_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
+#include <CGAL/Anisotropic_mesh_2/internal/domain/domain_from_graph.h>
+#include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_preparation.h>
 
 #include <CGAL/number_utils.h>
 
@@ -46,7 +46,7 @@ namespace CGAL {
 /// \tparam K a model of `Kernel`. With a floating point number type, all decisions
 /// are made with exact predicates.
 ///
-/// \sa `CGAL::Curve_piece_2`
+/// \sa `CGAL::Anisotropic_mesh_2::Curve_piece_2`
 template <class K>
 class Anisotropic_mesh_domain_2
 {
@@ -54,7 +54,7 @@ public:
   typedef K                                                        Kernel;      ///< the kernel
   typedef typename K::FT                                           FT;          ///< its number type
   typedef typename K::Point_2                                      Point_2;     ///< its points
-  typedef Curve_piece_2<K>                                         Curve_piece; ///< a piece of a curve
+  typedef Anisotropic_mesh_2::Curve_piece_2<K>                                         Curve_piece; ///< a piece of a curve
   typedef Anisotropic_mesh_2::Domain_rule                          Domain_rule; ///< how inside is told
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>      Graph;       ///< what files hold
   typedef typename Graph::Region                                   Region;      ///< a seed and its reference
@@ -82,7 +82,7 @@ public:
   /// meets at a vertex, only the outer cycle of the connected edges bounds.
   ///
   /// Points that no edge uses are ignored. Holes of the graph are added.
-  /// \throw Invalid_domain_exception if an index is out of range, a point is
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if an index is out of range, a point is
   /// not finite, two points are equal, or an edge has more than two triangles.
   explicit Anisotropic_mesh_domain_2(const Graph& graph)
   {
@@ -105,7 +105,7 @@ public:
   /// \tparam PointRange a range of `Point_2`, for example `CGAL::Polygon_2<K>`
   /// \param points the corners, the first one not repeated
   /// \param reference the reference of the edges on the loop
-  /// \throw Invalid_domain_exception if a coordinate is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if a coordinate is not finite.
   template <class PointRange>
   void add_polygon(const PointRange& points, int reference = 1)
   {
@@ -116,7 +116,7 @@ public:
 
   /// adds a closed loop of curve pieces, each of which ends exactly where the
   /// next one starts.
-  /// \tparam CurvePieceRange a range of `Curve_piece_2<K>`
+  /// \tparam CurvePieceRange a range of `Anisotropic_mesh_2::Curve_piece_2<K>`
   /// \param pieces the pieces, in order; what does not close is reported by `validate()` and by the meshing only.
   template <class CurvePieceRange>
   void add_loop(const CurvePieceRange& pieces)
@@ -129,7 +129,7 @@ public:
   /// \param center the center
   /// \param radius the radius, in units of the coordinates
   /// \param reference the reference of the edges on it
-  /// \throw Invalid_domain_exception if an argument is not finite or the radius is not positive.
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if an argument is not finite or the radius is not positive.
   void add_circle(const Point_2& center, const FT& radius, int reference = 1)
   {
     add(Curve_piece::arc(center, radius, 0, 6.283185307179586, reference), Role::BOUNDARY);
@@ -143,7 +143,7 @@ public:
   /// \tparam PointRange a range of `Point_2`
   /// \param points the corners
   /// \param reference the reference of the edges on the line
-  /// \throw Invalid_domain_exception if a coordinate is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if a coordinate is not finite.
   template <class PointRange>
   void add_polyline(const PointRange& points, int reference = 1)
   {
@@ -153,7 +153,7 @@ public:
   }
 
   /// declares what is around the seed a hole, and sets the rule to `SEEDS`.
-  /// \throw Invalid_domain_exception if a coordinate is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if a coordinate is not finite.
   void add_hole(const Point_2& seed)
   {
     check_finite(seed, "hole");
@@ -163,7 +163,7 @@ public:
 
   /// gives a reference to the subdomain around the seed, that is, to the faces that are reached from it without
   /// crossing a curve. Of several seeds in a subdomain the last one counts; without a seed the reference is 0.
-  /// \throw Invalid_domain_exception if a coordinate is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if a coordinate is not finite.
   void add_region(const Point_2& seed, int reference)
   {
     check_finite(seed, "region");
@@ -200,7 +200,7 @@ public:
   /// checks that the curves bound a domain.
   ///
   /// Takes \f$ O(n \log n) \f$ time for \f$ n \f$ pieces whose bounding boxes hardly overlap.
-  /// \throw Invalid_domain_exception naming what is wrong and where: no curve
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception naming what is wrong and where: no curve
   /// or no area, a piece without length or with a coordinate beyond 10<sup>150</sup>,
   /// an open boundary, curves that cross or overlap, a boundary that touches itself,
   /// the seed of a hole on a curve, or an inner curve outside.
@@ -220,7 +220,7 @@ private:
   static void check_finite(const Point_2& seed, const char* what)
   {
     if(!(CGAL::is_finite(seed.x()) && CGAL::is_finite(seed.y())))
-      throw Invalid_domain_exception("the seed " + Anisotropic_mesh_2::internal::describe(seed) + " of a "
+      throw Anisotropic_mesh_2::Invalid_domain_exception("the seed " + Anisotropic_mesh_2::internal::describe(seed) + " of a "
                                      + what + " is not finite");
   }
 

@@ -1,13 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_SURFACE_MESH_3_H
 #define CGAL_ANISOTROPIC_SURFACE_MESH_3_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Directed_edges.h>
+#include <CGAL/Anisotropic_mesh_2/internal/surface/Directed_edges.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -43,8 +43,8 @@ typename boost::graph_traits<FaceGraph>::vertex_descriptor new_vertex(FaceGraph&
 /// the mesh is closed.
 ///
 /// \tparam Field_ a model of `MetricField_2` that knows its surface, such as `Surface_metric_field_2`
-/// \sa `make_anisotropic_surface_mesh()`
-/// \sa `anisotropic_surface_statistics()`
+/// \sa `make_anisotropic_surface_mesh_3()`
+/// \sa `anisotropic_surface_mesh_statistics_3()`
 template <class Field_>
 class Anisotropic_surface_mesh_3
 {
@@ -131,7 +131,7 @@ public:
   /// with an internal property map of points.
   /// \return its vertices, by their numbers here.
   /// \pre no two faces have the same edge in the same direction, which holds for what
-  /// `make_anisotropic_surface_mesh()` returns.
+  /// `make_anisotropic_surface_mesh_3()` returns.
   template <class FaceGraph>
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor> add_to(FaceGraph& graph) const
   {

@@ -1,17 +1,17 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H
 #define CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H
 
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Triangulation_checker_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vertex_remover_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
-#include <CGAL/Anisotropic_mesh_2/internal/spatial_order.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/Triangulation_checker_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/Vertex_remover_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 
 #include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -132,7 +132,7 @@ public:
   /// The search for `p` starts at `start`.
   ///
   /// The cost is that of the location plus the size of the cavity, on average constant.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at `p`.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at `p`.
   Vertex_handle insert(const Point& p, Face_handle start = Face_handle())
   {
     Locate_type lt;
@@ -142,7 +142,7 @@ public:
   }
 
   /// inserts `p` where `locate()` has found it.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at `p`.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at `p`.
   Vertex_handle insert(const Point& p, Locate_type lt, Face_handle f, int li)
   {
     if(lt == Constrained_triangulation::VERTEX)
@@ -202,7 +202,7 @@ public:
   /// If the traits do not decide exactly, `v` may also stay where it is, as with `remove()`.
   /// \pre `v` is a finite vertex of the triangulation. If it ends a constrained
   /// edge, its faces are finite and are still counterclockwise with `v` at `p`.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at
   /// `p`; nothing changes.
   Vertex_handle move_if_no_collision(Vertex_handle v, const Point& p)
   {
@@ -264,7 +264,7 @@ public:
 
   /// inserts the points of a range in the order of `spatial_sort()` and returns
   /// how many vertices came in addition. Takes \f$ O(n \log n) \f$ time on average.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a point; the points before it
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point; the points before it
   /// are inserted.
   /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
@@ -283,7 +283,7 @@ public:
   /// inserts the points of a range and the segments between consecutive ones
   /// as constraints, and if `close` the segment from the last to the first.
   /// \throw Intersection_of_constraints_exception of the base class if constraints cross and `Itag` is the default.
-  /// \throw Invalid_metric_tensor_exception if the field has no valid tensor at a point.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point.
   /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
   void insert_constraint(PointIterator first, PointIterator last, bool close = false)
@@ -630,8 +630,8 @@ private:
     const Edge m = mirror_edge(e);
     const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
     const Vertex_handle a = e.first->vertex(ccw(e.second)), b = e.first->vertex(cw(e.second));
-    const double before = std::max(largest_cotangent(p, a, b), largest_cotangent(q, b, a));
-    const double after = std::max(largest_cotangent(p, a, q), largest_cotangent(q, b, p));
+    const double before = (std::max)(largest_cotangent(p, a, b), largest_cotangent(q, b, a));
+    const double after = (std::max)(largest_cotangent(p, a, q), largest_cotangent(q, b, p));
     return after >= 0 && after < before * (1 - 1e-9);
   }
 

@@ -1,13 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_DISCRETE_METRIC_FIELD_2_H
 #define CGAL_DISCRETE_METRIC_FIELD_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Triangle_locator_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Triangle_locator_2.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Metric_tensor_2.h>
 

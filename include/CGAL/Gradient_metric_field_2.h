@@ -1,13 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_GRADIENT_METRIC_FIELD_2_H
 #define CGAL_GRADIENT_METRIC_FIELD_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/metric_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_at.h>
 #include <CGAL/Metric_tensor_2.h>
 
 #include <CGAL/assertions.h>
@@ -67,7 +67,7 @@ public:
   }
 
   /// returns the tensor at `p`.
-  /// \throw Invalid_metric_tensor_exception with the point, if the gradient is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception with the point, if the gradient is not finite.
   Metric_tensor operator()(const Point_2& p) const
   {
     return Anisotropic_mesh_2::internal::metric_at([this](const Point_2& q) {

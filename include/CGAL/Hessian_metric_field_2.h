@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_HESSIAN_METRIC_FIELD_2_H
 #define CGAL_HESSIAN_METRIC_FIELD_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/describe.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_at.h>
 #include <CGAL/Metric_tensor_2.h>
 
 #include <CGAL/assertions.h>
@@ -70,7 +70,7 @@ public:
   }
 
   /// returns the tensor at `p`.
-  /// \throw Invalid_metric_tensor_exception with the point, if the Hessian is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception with the point, if the Hessian is not finite.
   Metric_tensor operator()(const Point_2& p) const
   {
     return Anisotropic_mesh_2::internal::metric_at([this](const Point_2& q) {
@@ -89,8 +89,8 @@ private:
     if(larger == 0)
       return Metric_tensor::from_size(FT(m_largest_size));
     const double ratio = m_least_size / m_largest_size;
-    const double first = std::max(std::abs(mean + radius), ratio*ratio * larger);
-    const double second = std::max(std::abs(mean - radius), ratio*ratio * larger);
+    const double first = (std::max)(std::abs(mean + radius), ratio*ratio * larger);
+    const double second = (std::max)(std::abs(mean - radius), ratio*ratio * larger);
     const double scale = std::pow(first * second, m_exponent) / m_error;
     return Metric_tensor::from_sizes(size(scale * first), size(scale * second), std::atan2(2*xy, xx - yy) / 2);
   }
@@ -103,7 +103,7 @@ private:
   [[noreturn]] static void refuse(double xx, double xy, double yy)
   {
     using Anisotropic_mesh_2::internal::describe;
-    throw Invalid_metric_tensor_exception("the Hessian with the entries " + describe(xx) + ", " + describe(xy)
+    throw Anisotropic_mesh_2::Invalid_metric_tensor_exception("the Hessian with the entries " + describe(xx) + ", " + describe(xy)
                                           + ", " + describe(yy) + " is not finite");
   }
 

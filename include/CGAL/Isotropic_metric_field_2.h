@@ -1,13 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ISOTROPIC_METRIC_FIELD_2_H
 #define CGAL_ISOTROPIC_METRIC_FIELD_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/metric_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_at.h>
 #include <CGAL/Metric_tensor_2.h>
 
 #include <utility>
@@ -34,7 +34,7 @@ public:
   explicit Isotropic_metric_field_2(Size size) : m_size(std::move(size)) {}
 
   /// returns the isotropic tensor whose size is the one at `p`.
-  /// \throw Invalid_metric_tensor_exception with the point, if the size is not
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception with the point, if the size is not
   /// positive or not finite.
   Metric_tensor operator()(const Point_2& p) const
   {

@@ -1,15 +1,15 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_METRIC_TENSOR_2_H
 #define CGAL_METRIC_TENSOR_2_H
 
-#include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/Anisotropic_mesh_2/internal/difference_of_products.h>
-#include <CGAL/Anisotropic_mesh_2/internal/refuse_metric_tensor.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/difference_of_products.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/refuse_metric_tensor.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -31,7 +31,7 @@ namespace CGAL {
 /// \f$ M = R^T \mathrm{diag}(h_1^{-2}, h_2^{-2}) R \f$ with the rotation \f$ R \f$ by \f$ -\theta \f$.
 ///
 /// No invalid tensor can be built: every way to build one from numbers throws
-/// `Invalid_metric_tensor_exception` unless the result is finite and positive
+/// `Anisotropic_mesh_2::Invalid_metric_tensor_exception` unless the result is finite and positive
 /// definite. A default constructed tensor is the identity.
 ///
 /// \tparam K a class with the types `FT`, that of the entries, a number type as
@@ -71,7 +71,7 @@ public:
   {}
 
   /// the tensor with the rows `(m11, m12)` and `(m12, m22)`.
-  /// \throw Invalid_metric_tensor_exception if it is not finite or not positive definite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if it is not finite or not positive definite.
   static Metric_tensor_2 from_entries(const FT& m11, const FT& m12, const FT& m22)
   {
     Metric_tensor_2 m(m11, m12, m22);
@@ -84,7 +84,7 @@ public:
   /// `(cos angle, sin angle)` and the half axis `h2` across it.
   /// \param h1,h2 the sizes, in units of the coordinates
   /// \param angle in radians
-  /// \throw Invalid_metric_tensor_exception if a size is not positive or not
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if a size is not positive or not
   /// finite, if the angle is not finite, or if the entries overflow.
   static Metric_tensor_2 from_sizes(const FT& h1, const FT& h2, double angle = 0)
   {
@@ -98,7 +98,7 @@ public:
   }
 
   /// the isotropic tensor of size `h`.
-  /// \throw Invalid_metric_tensor_exception if `h` is not positive or not finite, or if the entries overflow.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if `h` is not positive or not finite, or if the entries overflow.
   static Metric_tensor_2 from_size(const FT& h)
   {
     if(!is_size(h))
@@ -107,7 +107,7 @@ public:
   }
 
   /// the tensor whose matrix logarithm has the entries `l`, in the order of `logarithm()`.
-  /// \throw Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of
   /// numbers.
   static Metric_tensor_2 from_logarithm(const std::array<double, 3>& l)
   {
@@ -178,7 +178,7 @@ public:
   /// @}
 
   /// the tensor whose sizes are `s` times those of this one.
-  /// \throw Invalid_metric_tensor_exception if `s` is not positive or not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if `s` is not positive or not finite.
   Metric_tensor_2 scaled(const FT& s) const
   {
     if(!is_size(s))

@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_METRIC_TENSOR_3_H
 #define CGAL_METRIC_TENSOR_3_H
 
-#include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/Anisotropic_mesh_2/internal/refuse_metric_tensor.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/refuse_metric_tensor.h>
 #include <CGAL/number_utils.h>
 
 #include <array>
@@ -21,7 +21,7 @@ namespace CGAL {
 ///
 /// The vectors of length 1 form an ellipsoid, whose half axes are the *sizes*.
 /// No invalid tensor can be built: every way to build one throws
-/// `Invalid_metric_tensor_exception` unless the result is finite and positive
+/// `Anisotropic_mesh_2::Invalid_metric_tensor_exception` unless the result is finite and positive
 /// definite. A default constructed tensor is the identity.
 ///
 /// With `double` entries, sizes lie between 10<sup>-50</sup> and 10<sup>50</sup>; beyond, the determinant leaves the
@@ -45,7 +45,7 @@ public:
   Metric_tensor_3() : m_entries{FT(1), FT(0), FT(0), FT(1), FT(0), FT(1)} {}
 
   /// the tensor with the given entries.
-  /// \throw Invalid_metric_tensor_exception if it is not finite or not positive definite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if it is not finite or not positive definite.
   static Metric_tensor_3 from_entries(const Entries& entries)
   {
     const Metric_tensor_3 m(entries);
@@ -57,11 +57,11 @@ public:
   }
 
   /// the isotropic tensor of size `h`.
-  /// \throw Invalid_metric_tensor_exception if `h` is not positive or not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if `h` is not positive or not finite.
   static Metric_tensor_3 from_size(const FT& h) { return from_sizes(h, h, h); }
 
   /// the tensor with the given sizes along the axes of coordinates, type (5.1) of \cgalCite{dw-acvt-05}.
-  /// \throw Invalid_metric_tensor_exception if a size is not positive or not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if a size is not positive or not finite.
   static Metric_tensor_3 from_sizes(const FT& h1, const FT& h2, const FT& h3)
   {
     return from_entries({eigenvalue(h1), FT(0), FT(0), eigenvalue(h2), FT(0), eigenvalue(h3)});
@@ -69,7 +69,7 @@ public:
 
   /// the tensor with the given sizes along the given directions.
   /// \pre the directions are orthogonal to each other and have unit length, up to rounding.
-  /// \throw Invalid_metric_tensor_exception if a size is not positive or not finite, or a direction is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if a size is not positive or not finite, or a direction is not finite.
   static Metric_tensor_3 from_directions(const std::array<Vector_3, 3>& directions, const std::array<FT, 3>& sizes)
   {
     Entries e{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};

@@ -1,17 +1,17 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_RIEMANNIAN_METRIC_TRAITS_2_H
 #define CGAL_RIEMANNIAN_METRIC_TRAITS_2_H
 
 #include <CGAL/Metric_tensor_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Filtered_side_of_metric_circle_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Side_of_metric_circle_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_at.h>
-#include <CGAL/Anisotropic_mesh_2/internal/segment_length.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Filtered_side_of_metric_circle_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Side_of_metric_circle_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Segment_length.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Triangulation_structural_filtering_traits.h>
@@ -90,7 +90,7 @@ public:
 
     /// returns the value of the field at `p`.
     /// \pre the traits hold a field.
-    /// \throw Invalid_metric_tensor_exception naming `p`, if the field throws it.
+    /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception naming `p`, if the field throws it.
     result_type operator()(const Point_2& p) const
     {
       CGAL_precondition_msg(m_field != nullptr, "the traits hold no metric field");
@@ -136,7 +136,7 @@ public:
     explicit Compute_riemannian_length_2(const Construct_metric_tensor_2& tensor) : m_tensor(tensor) {}
 
     /// returns the length.
-    /// \throw Invalid_metric_tensor_exception if the field fails at a point of the segment.
+    /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the segment.
     double operator()(const Point_2& p, const Point_2& q) const
     {
       return Anisotropic_mesh_2::internal::segment_length(p, q, m_tensor);

@@ -1,13 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_SURFACE_METRIC_FIELD_2_H
 #define CGAL_SURFACE_METRIC_FIELD_2_H
 
-#include <CGAL/Degenerate_parametrization_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Degenerate_parametrization_exception.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Metric_tensor_3.h>
 #include <CGAL/number_utils.h>
@@ -29,7 +29,7 @@ namespace CGAL {
 /// \tparam Surface_ a model of `ParametricSurface_3`
 /// \tparam Metric_ a functor, callable from several threads, of a `K::Point_3`
 /// that returns a size (then \f$ M_{3D} = h^{-2} I \f$) or a `Metric_tensor_3<K>`; or of a
-/// `const Surface&` and a `K::Point_2` of parameters that returns such a tensor, like `Curvature_metric_3`.
+/// `const Surface&` and a `K::Point_2` of parameters that returns such a tensor, like `Anisotropic_mesh_2::Curvature_metric_3`.
 /// `K` is the kernel of the surface.
 /// \cgalModels{MetricField_2}
 /// \sa `make_surface_metric_field_2()`
@@ -58,9 +58,9 @@ public:
   const Metric& metric() const { return m_metric; }
 
   /// returns the tensor in the plane of parameters.
-  /// \throw Degenerate_parametrization_exception if the surface or its first derivatives are
+  /// \throw Anisotropic_mesh_2::Degenerate_parametrization_exception if the surface or its first derivatives are
   /// not finite there, or if these are parallel.
-  /// \throw Invalid_metric_tensor_exception if the metric of the space fails.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric of the space fails.
   Metric_tensor operator()(const Point_2& uv) const
   {
     const std::array<Vector_3, 2> d = m_surface.first_derivatives(uv);
@@ -70,8 +70,8 @@ public:
   }
 
   /// returns the tensor of the space at the point of the surface.
-  /// \throw Degenerate_parametrization_exception if that point is not finite.
-  /// \throw Invalid_metric_tensor_exception if the metric of the space fails.
+  /// \throw Anisotropic_mesh_2::Degenerate_parametrization_exception if that point is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric of the space fails.
   Metric_tensor_3<Kernel> metric_tensor_3(const Point_2& uv) const
   {
     if constexpr(std::is_invocable<const Metric&, const Point_3&>::value) {
@@ -109,7 +109,7 @@ private:
 
   [[noreturn]] static void refuse(const std::string& what, const Point_2& uv)
   {
-    throw Degenerate_parametrization_exception(what, CGAL::to_double(uv.x()), CGAL::to_double(uv.y()));
+    throw Anisotropic_mesh_2::Degenerate_parametrization_exception(what, CGAL::to_double(uv.x()), CGAL::to_double(uv.y()));
   }
 
   Surface m_surface;

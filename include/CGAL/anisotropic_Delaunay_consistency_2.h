@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_DELAUNAY_CONSISTENCY_2_H
 #define CGAL_ANISOTROPIC_DELAUNAY_CONSISTENCY_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Delaunay_consistency.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Star_consistency_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/Star_consistency_2.h>
 
 #include <CGAL/assertions.h>
 

@@ -1,17 +1,17 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MASS_CENTRE_2_H
 #define CGAL_ANISOTROPIC_MASS_CENTRE_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Visibility_sampling.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Region_moments.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Visibility_energy.h>
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 
 #include <CGAL/number_utils.h>
 
@@ -29,7 +29,7 @@ namespace CGAL {
 /// \param sampling how finely the region is sampled and integrated.
 /// \return the mass centre, or the vertex itself if no face of the domain is incident to it.
 /// \pre `mesh.dimension() == 2`, and the numbers of `sampling` are at least 1.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class Mesh>
 typename Mesh::Point
 anisotropic_mass_centre_2(const Mesh& mesh, typename Mesh::Vertex_handle v,

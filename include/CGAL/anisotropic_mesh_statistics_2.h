@@ -1,19 +1,19 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_STATISTICS_2_H
 #define CGAL_ANISOTROPIC_MESH_STATISTICS_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Energy_summary.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Shape_summary.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Symmetric_form.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vertex_mover.h>
-#include <CGAL/Anisotropic_mesh_2/internal/faces_in_domain.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
-#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/Energy_summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/Shape_summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/free_vertices.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
 
@@ -84,7 +84,7 @@ private:
     sum.qualities.add(quality_at_barycentre(a, b, c, m_mesh.geom_traits().construct_metric_tensor_2_object()));
     double least = 1;
     for(int i = 0; i < 3; ++i)
-      least = std::min(least, metric_quality(a, b, c, Symmetric_form(f->vertex(i)->metric_tensor())));
+      least = (std::min)(least, metric_quality(a, b, c, Symmetric_form(f->vertex(i)->metric_tensor())));
     sum.qualities_min3.add(least);
   }
 
@@ -110,12 +110,12 @@ private:
 ///
 /// The field is evaluated a few dozen times per vertex, more often where it varies much.
 ///
-/// \tparam ConcurrencyTag as for `acvt_optimize_mesh_2()`; the result is the same to the bit.
+/// \tparam ConcurrencyTag as for `optimize_anisotropic_mesh_2()`; the result is the same to the bit.
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \param mesh the mesh, with its domain marked.
 /// \param measure the measure of the energy.
 /// \return the figures.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh>
 Anisotropic_mesh_2::Mesh_statistics
 anisotropic_mesh_statistics_2(const Mesh& mesh,

@@ -1,15 +1,15 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_VISIBILITY_REGION_2_H
 #define CGAL_ANISOTROPIC_VISIBILITY_REGION_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Visibility_sampling.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Visibility_region.h>
-#include <CGAL/Anisotropic_mesh_2/internal/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Visibility_region.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 
 #include <vector>
 
@@ -39,7 +39,7 @@ namespace CGAL {
 /// surrounds it, else one for each run of faces of the domain at the vertex,
 /// which begins with the vertex itself.
 /// \pre `mesh.dimension() == 2`, and the numbers of `sampling` are at least 1.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class Mesh>
 std::vector<std::vector<typename Mesh::Point> >
 anisotropic_visibility_region_2(const Mesh& mesh, typename Mesh::Vertex_handle v,

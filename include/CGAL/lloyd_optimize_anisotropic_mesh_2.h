@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_LLOYD_OPTIMIZE_ANISOTROPIC_MESH_2_H
 #define CGAL_LLOYD_OPTIMIZE_ANISOTROPIC_MESH_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/optimize_acvt.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Vertex_reinserter.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/optimize_acvt.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_reinserter.h>
 
 namespace CGAL {
 
@@ -22,7 +22,7 @@ namespace CGAL {
 /// indices and what else their type stores, faces do not; handles to both do not stay valid.
 /// An iteration takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices of a mesh of good quality.
 ///
-/// `acvt_optimize_mesh_2()` reaches the same energy in a fraction of the
+/// `optimize_anisotropic_mesh_2()` reaches the same energy in a fraction of the
 /// iterations; this function is the reference.
 ///
 /// \tparam ConcurrencyTag enables sequential or parallel assembly of the regions: `Sequential_tag`, `Parallel_tag` or
@@ -80,7 +80,7 @@ namespace CGAL {
 /// `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
 /// `ALL_VERTICES_FROZEN` if no vertex is free to move. The mesh is valid in each case.
 /// \pre no number given is negative.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code
 lloyd_optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_MAKE_ANISOTROPIC_MESH_2_H
 #define CGAL_MAKE_ANISOTROPIC_MESH_2_H
@@ -10,11 +10,11 @@
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Constant_metric_field_2.h>
-#include <CGAL/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Boundary_unit_mesher.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Boundary_unit_mesher.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 
 #include <cstddef>
@@ -24,16 +24,16 @@ namespace Anisotropic_mesh_2 {
 namespace internal {
 
 template <class Mesh>
-void insert_boundary(Mesh& mesh, const typename Mesh::Boundary_mesh& boundary)
+void insert_boundary(Mesh& mesh, const typename Mesh::Boundary_graph& boundary)
 {
   try {
     mesh.insert_boundary(boundary);
   }
   catch(const typename Mesh::Intersection_of_constraints_exception&) {
-    throw Invalid_domain_exception("the boundary curves or the constraints of the domain cross each other");
+    throw Anisotropic_mesh_2::Invalid_domain_exception("the boundary curves or the constraints of the domain cross each other");
   }
   if(mesh.number_of_faces_in_domain() == 0)
-    throw Invalid_domain_exception("the boundary of the domain encloses no area");
+    throw Anisotropic_mesh_2::Invalid_domain_exception("the boundary of the domain encloses no area");
 }
 
 // Refuses a metric that asks for too many vertices before the boundary is
@@ -46,11 +46,11 @@ void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_trai
   typedef typename Mesh::Kernel Kernel;
   const Constant_metric_field_2<Kernel> coarse(Metric_tensor_2<Kernel>::from_size(typename Kernel::FT(1e60)));
   Mesh mesh(traits);
-  insert_boundary(mesh, unit_boundary_mesh(domain, coarse, limit, true));
+  insert_boundary(mesh, unit_boundary_graph(domain, coarse, limit, true));
   try {
     check_ideal_number_of_vertices(mesh, limit);
   }
-  catch(const Invalid_metric_tensor_exception&) {}
+  catch(const Anisotropic_mesh_2::Invalid_metric_tensor_exception&) {}
 }
 
 } // namespace internal
@@ -71,9 +71,9 @@ void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_trai
 /// \param np an optional sequence of named parameters, those of the other overload
 ///
 /// \return the mesh.
-/// \throw Invalid_domain_exception if the domain is not valid; the message names the place.
-/// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_domain_exception if the domain is not valid; the message names the place.
+/// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than allowed.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 template <class Mesh, class K, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const typename Mesh::Geom_traits& traits,
                              const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
@@ -88,7 +88,7 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
 
   internal::check_metric_of_domain<Mesh>(domain, traits, limit);
   Mesh mesh(traits);
-  internal::insert_boundary(mesh, internal::unit_boundary_mesh(domain, traits.construct_metric_tensor_2_object(), limit,
+  internal::insert_boundary(mesh, internal::unit_boundary_graph(domain, traits.construct_metric_tensor_2_object(), limit,
                                                                keep_points));
   refine_anisotropic_mesh_2(mesh, np);
   return mesh;
@@ -102,7 +102,7 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
 /// The curves of the boundary and the inner constraints are divided into parts
 /// of equal Riemannian length close to 1, their end points kept. Of these edges
 /// the empty mesh is built, and `refine_anisotropic_mesh_2()` fills it.
-/// The result is what the optimizers `acvt_optimize_mesh_2()` and
+/// The result is what the optimizers `optimize_anisotropic_mesh_2()` and
 /// `lloyd_optimize_anisotropic_mesh_2()` start from.
 ///
 /// The time is that of `Anisotropic_mesh_domain_2::validate()` and linear in the number of vertices.
@@ -124,9 +124,9 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Invalid_domain_exception if the domain is not valid; the message names the place.
-/// \throw Too_many_vertices_exception if the metric asks for more vertices than allowed.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_domain_exception if the domain is not valid; the message names the place.
+/// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than allowed.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 /// \return the mesh, an `Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >`.
 template <class MetricField, class K, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >

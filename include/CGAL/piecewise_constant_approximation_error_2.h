@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_PIECEWISE_CONSTANT_APPROXIMATION_ERROR_2_H
 #define CGAL_PIECEWISE_CONSTANT_APPROXIMATION_ERROR_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Approximation_error.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Approximation_error_integral.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/Approximation_error_integral.h>
 
 #include <CGAL/assertions.h>
 

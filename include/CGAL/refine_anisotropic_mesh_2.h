@@ -1,18 +1,18 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_REFINE_ANISOTROPIC_MESH_2_H
 #define CGAL_REFINE_ANISOTROPIC_MESH_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/Field_point_inserter.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_area.h>
-#include <CGAL/Anisotropic_mesh_2/internal/restore_connectivity.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Field_point_inserter.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
-#include <CGAL/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
 
 #include <cstddef>
 
@@ -46,10 +46,10 @@ namespace CGAL {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Too_many_vertices_exception if the metric asks for more vertices than
+/// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than
 /// allowed: before the first insertion if an estimate exceeds 1.5 times that number, else when that number is
 /// reached; the mesh is valid then.
-/// \throw Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
 /// \return the number of vertices inserted.
 template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t refine_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

@@ -5,9 +5,9 @@
 #include "meshes.h"
 
 #include <CGAL/Random.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Acvt_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,9 +41,9 @@ Brute_force brute_force_of(const Mesh& mesh, const Field& field, Measure measure
 void test_moments(const Case& c, Measure measure, double energy_tolerance, double pull_tolerance)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  CGAL::acvt_optimize_mesh_2(mesh, np::measure(measure).number_of_iterations(20));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::measure(measure).number_of_iterations(20));
   std::vector<Region_moments> moments;
-  const double energy = Acvt_energy<Mesh>(mesh, measure)(moments);
+  const double energy = Facewise_energy<Mesh>(mesh, measure)(moments);
 
   std::vector<Brute_force::Moments> exact;
   const double exact_energy = brute_force_of(mesh, c.field, measure, 20)(generators_of(mesh), exact);
@@ -104,7 +104,7 @@ void test_constant_metric_in_closed_form()
 {
   const Field field = [](const Point&) { return Tensor::from_entries(4, 0, 1); };
   Mesh mesh{CGAL::Riemannian_metric_traits_2<K, Field>(field)};
-  Mesh::Boundary_mesh boundary; // a regular hexagon with unit sides in the metric, stretched
+  Mesh::Boundary_graph boundary; // a regular hexagon with unit sides in the metric, stretched
   for(int i = 0; i < 6; ++i) {
     boundary.points.push_back(Point(std::cos(i * std::acos(-1.) / 3) / 2, std::sin(i * std::acos(-1.) / 3)));
     boundary.segments.push_back({std::size_t(i), std::size_t(i + 1) % 6, 1, true});
@@ -113,7 +113,7 @@ void test_constant_metric_in_closed_form()
   CGAL::refine_anisotropic_mesh_2(mesh);
   CHECK(mesh.number_of_vertices() == 7);
   std::vector<Region_moments> moments;
-  Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments);
+  Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments);
   // the cell of the centre is a hexagon of area sqrt(3)/2 in the metric, 2*det = 2 per unit of it
   const Region_moments& centre = moments[6];
   CHECK(std::abs(centre.a.a - 4 * std::sqrt(3.) / 2) < 1e-12);
@@ -131,7 +131,7 @@ void test_both_integrators(double variation, double tolerance)
   for(int i = 0; i < 3; ++i)
     e.tensor[i] = Weighted_tensor(Symmetric_form(1 + variation * (i - 1), 0.05 + variation * i, 1.1), true);
   e.guess_bends();
-  std::array<Region_sums, 3> m, n;
+  std::array<Region_contribution, 3> m, n;
   Face_couplings mixed, other_mixed;
   Acute_element_integrator acute;
   CHECK(acute.prepare(e));
@@ -159,7 +159,7 @@ void test_cut_through_the_middles()
   const auto tensor = [](const Vector_of_doubles& x)
   { return Weighted_tensor(Symmetric_form(1 + 0.3*x.x, 0.1*x.y, 1 - 0.2*x.y), true); };
   const std::array<Vector_of_doubles, 3> z = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
-  const auto integrate = [&](const std::array<Vector_of_doubles, 3>& corner, std::array<Region_sums, 3>& sums) {
+  const auto integrate = [&](const std::array<Vector_of_doubles, 3>& corner, std::array<Region_contribution, 3>& sums) {
     Acvt_element e;
     e.corner = corner;
     for(int i = 0; i < 3; ++i)
@@ -172,7 +172,7 @@ void test_cut_through_the_middles()
     return Clipped_element_integrator()(e, generators, nullptr);
   };
   const std::array<Vector_of_doubles, 3> middle = {{{0.7, 0.5}, {0.2, 0.45}, {0.5, 0.05}}};
-  std::array<Region_sums, 3> whole, parts;
+  std::array<Region_contribution, 3> whole, parts;
   const double energy = integrate(z, whole);
   double sum = integrate(middle, parts);
   for(int i = 0; i < 3; ++i)
@@ -191,14 +191,14 @@ void test_hessian()
 {
   const Case c = paper_cases()[0];
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(5));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(5));
   const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
   std::vector<Region_moments> moments;
-  Region_couplings couplings;
-  Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments, couplings);
+  Bisector_hessian couplings;
+  Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments, couplings);
 
   CGAL::Random random(3);
-  Region_couplings::Vectors_of_floats direction(mesh.vertex_index_bound()), response;
+  Bisector_hessian::Vectors_of_floats direction(mesh.vertex_index_bound()), response;
   for(Mesh::Vertex_handle v : vertices)
     direction[v->index()] = {float(random.get_double(-1, 1)), float(random.get_double(-1, 1))};
   couplings.multiply<CGAL::Sequential_tag>(direction, response);
@@ -208,7 +208,7 @@ void test_hessian()
     for(Mesh::Vertex_handle v : vertices)
       v->set_point(Point(v->point().x() + t * direction[v->index()].x, v->point().y() + t * direction[v->index()].y));
     std::vector<Region_moments> result;
-    Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(result);
+    Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(result);
     return result;
   };
   const std::vector<Region_moments> up = gradients_at(step), down = gradients_at(-2 * step);
@@ -254,12 +254,12 @@ void test_lloyd(const Case& c, double rise)
   check_mesh(mesh, start, c.name + " by Lloyd's iteration");
 
   Mesh quick = start;
-  CGAL::acvt_optimize_mesh_2(quick, np::convergence(0.).number_of_iterations(12));
+  CGAL::optimize_anisotropic_mesh_2(quick, np::convergence(0.).number_of_iterations(12));
   check_mesh(quick, start, c.name + " by the quasi-Newton method");
   std::vector<Region_moments> ignored;
-  const double lloyd = Acvt_energy<Mesh>(mesh, Measure::RIEMANNIAN)(ignored);
-  const double newton = Acvt_energy<Mesh>(quick, Measure::RIEMANNIAN)(ignored);
-  const double before = Acvt_energy<Mesh>(start, Measure::RIEMANNIAN)(ignored);
+  const double lloyd = Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(ignored);
+  const double newton = Facewise_energy<Mesh>(quick, Measure::RIEMANNIAN)(ignored);
+  const double before = Facewise_energy<Mesh>(start, Measure::RIEMANNIAN)(ignored);
   CHECK(lloyd < before);
   CHECK_MSG(newton < lloyd * (1 + rise), c.name);
 }
@@ -272,7 +272,7 @@ public:
   bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
   {
     if(m_last > 0)
-      *m_largest_rise = std::max(*m_largest_rise, s.energy / m_last - 1);
+      *m_largest_rise = (std::max)(*m_largest_rise, s.energy / m_last - 1);
     m_last = s.energy;
     return true;
   }
@@ -323,7 +323,7 @@ void test_acceleration(const Case& c)
   std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> lloyd, newton;
   CGAL::lloyd_optimize_anisotropic_mesh_2
     (by_lloyd, np::convergence(0.).number_of_iterations(100).visitor(Recording_visitor(lloyd)));
-  CGAL::acvt_optimize_mesh_2(quick, np::convergence(0.).number_of_iterations(25).visitor(Recording_visitor(newton)));
+  CGAL::optimize_anisotropic_mesh_2(quick, np::convergence(0.).number_of_iterations(25).visitor(Recording_visitor(newton)));
   CHECK(newton.front().energy == lloyd.front().energy);
   const auto below = std::find_if(newton.begin(), newton.end(),
                                   [&](const auto& s) { return s.energy < lloyd.back().energy; });
@@ -342,8 +342,8 @@ void test_ways_to_move(const Case& c)
   optimize_acvt<CGAL::Sequential_tag, Vertex_mover<Mesh> >(in_place, 0., method, parameters);
   optimize_acvt<CGAL::Sequential_tag, Vertex_reinserter<Mesh> >(rebuilt, 0., method, parameters);
   std::vector<Region_moments> ignored;
-  const double ratio = Acvt_energy<Mesh>(in_place, Measure::RIEMANNIAN)(ignored)
-                     / Acvt_energy<Mesh>(rebuilt, Measure::RIEMANNIAN)(ignored);
+  const double ratio = Facewise_energy<Mesh>(in_place, Measure::RIEMANNIAN)(ignored)
+                     / Facewise_energy<Mesh>(rebuilt, Measure::RIEMANNIAN)(ignored);
   CHECK_MSG(std::abs(ratio - 1) < 1e-3, c.name + ": energy in place over that of a rebuild " + std::to_string(ratio));
   CHECK(in_place.is_valid() && rebuilt.is_valid());
 }
@@ -354,7 +354,7 @@ void test_evaluations_of_rough_metrics(const Case& c)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> states;
-  CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(50).visitor(Recording_visitor(states)));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(50).visitor(Recording_visitor(states)));
   CHECK_MSG(double(states.back().evaluations) <= 1.1 * double(states.back().iteration) + 1, c.name + ": "
             + std::to_string(states.back().evaluations) + " evaluations for " + std::to_string(states.back().iteration));
 }
@@ -370,17 +370,17 @@ void test_return_codes()
   const Case c = paper_cases()[4];
   const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh mesh = start;
-  CHECK(CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(0)) == CGAL::MAX_ITERATION_NUMBER_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(0)) == CGAL::MAX_ITERATION_NUMBER_REACHED);
   CHECK(generators_of(mesh) == generators_of(start));
-  CHECK(CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).visitor(Stopping_visitor())) == CGAL::BOUND_REACHED);
-  CHECK(CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.).number_of_iterations(100000).maximum_running_time(1e-9))
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).visitor(Stopping_visitor())) == CGAL::BOUND_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(100000).maximum_running_time(1e-9))
         == CGAL::TIME_LIMIT_REACHED);
   CHECK(mesh.is_valid());
-  CHECK(CGAL::acvt_optimize_mesh_2(mesh, np::convergence(0.01).number_of_iterations(1000)) == CGAL::CONVERGENCE_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.01).number_of_iterations(1000)) == CGAL::CONVERGENCE_REACHED);
 
   const Field coarse = [](const Point&) { return Tensor::from_size(1000); };
   Mesh empty = CGAL::make_anisotropic_mesh_2(c.domain, coarse);
-  CHECK(CGAL::acvt_optimize_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
   CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
 }
 
@@ -397,13 +397,13 @@ void test_failing_field()
     bool* fails;
     bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state&) { return *fails = true; }
   };
-  CHECK_THROWS(CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
-               CGAL::Invalid_metric_tensor_exception, "the metric of size -1");
+  CHECK_THROWS(CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
+               CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "the metric of size -1");
   CHECK(mesh.is_valid(true));
   CHECK(generators_of(mesh) == generators_of(start));
   fails = false;
   CHECK_THROWS(CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
-               CGAL::Invalid_metric_tensor_exception, "at the point (");
+               CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "at the point (");
   CHECK(mesh.is_valid(true));
 }
 
@@ -414,8 +414,8 @@ void test_determinism()
     std::vector<std::vector<int> > scattering(997); // other addresses for the second mesh
     Mesh second = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
     CHECK(generators_of(first) == generators_of(second));
-    CGAL::acvt_optimize_mesh_2(first, CGAL::parameters::number_of_iterations(10));
-    CGAL::acvt_optimize_mesh_2(second, CGAL::parameters::number_of_iterations(10));
+    CGAL::optimize_anisotropic_mesh_2(first, CGAL::parameters::number_of_iterations(10));
+    CGAL::optimize_anisotropic_mesh_2(second, CGAL::parameters::number_of_iterations(10));
     CHECK(generators_of(first) == generators_of(second));
   }
 }

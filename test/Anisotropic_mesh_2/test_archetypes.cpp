@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Everything compiles and works with models that have the least that the
 // concepts promise, so that no algorithm needs more than the manual says.
@@ -18,15 +18,15 @@
 #include "include/scratch_directory.h"
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/off.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
-#include <CGAL/Anisotropic_mesh_2/IO/vtu.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
+#include <CGAL/Anisotropic_mesh_2/IO/VTU.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
-#include <CGAL/Directional_metric_field_2.h>
+#include <CGAL/Oriented_sizes_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_Delaunay_consistency_2.h>
 #include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
@@ -186,9 +186,9 @@ static_assert(models_face_base<Mesh_tds<Exact_traits>::Face>(), "");
 
 // the square [0, 4] x [0, 4] with a square hole, an inner segment and a region
 template <class Mesh>
-typename Mesh::Boundary_mesh boundary_of_square()
+typename Mesh::Boundary_graph boundary_of_square()
 {
-  typename Mesh::Boundary_mesh boundary;
+  typename Mesh::Boundary_graph boundary;
   for(double low : {0., 1.5})
     for(int i = 0; i < 4; ++i)
       boundary.points.push_back(point_archetype(i == 1 || i == 2 ? 4 - low : low, i < 2 ? low : 4 - low));
@@ -300,24 +300,24 @@ void test_writers(const Tr& tr)
   const auto reference = Edge_reference_archetype<Tr>::make();
   const auto quality = Quality_archetype<Tr>::make();
   std::ostringstream os;
-  CGAL::IO::write_off(os, tr);
+  CGAL::IO::write_OFF(os, tr);
   CGAL::IO::write_vtu(os, tr);
   CGAL::IO::write_vtu(os, tr, CGAL::IO::ASCII);
   CGAL::IO::write_SVG(os, tr);
   CGAL::IO::write_SVG(os, tr, "title");
   CGAL::IO::write_SVG(os, tr, "title", quality);
-  CGAL::IO::write_medit(os, tr);
+  CGAL::IO::write_MEDIT(os, tr);
   CHECK(os.str().find(" 77\n") == std::string::npos);
-  CGAL::IO::write_medit(os, tr, reference);
+  CGAL::IO::write_MEDIT(os, tr, reference);
   CHECK(os.str().find(" 77\n") != std::string::npos);
 
   const Scratch_directory scratch;
-  CGAL::IO::write_off(scratch / "mesh.off", tr);
+  CGAL::IO::write_OFF(scratch / "mesh.off", tr);
   CGAL::IO::write_vtu(scratch / "mesh.vtu", tr);
   CGAL::IO::write_SVG(scratch / "mesh.svg", tr, "title");
   CGAL::IO::write_SVG(scratch / "quality.svg", tr, "title", quality);
-  CGAL::IO::write_medit(scratch / "mesh.mesh", tr);
-  CGAL::IO::write_medit(scratch / "references.mesh", tr, reference);
+  CGAL::IO::write_MEDIT(scratch / "mesh.mesh", tr);
+  CGAL::IO::write_MEDIT(scratch / "references.mesh", tr, reference);
   CHECK(scratch.number_of_files() == 6);
 }
 
@@ -325,7 +325,7 @@ template <class Mesh>
 void test_metric_writer(const Mesh& mesh)
 {
   std::ostringstream os;
-  CGAL::IO::write_medit_metric(os, mesh);
+  CGAL::IO::write_MEDIT_metric(os, mesh);
   CHECK(os.str().find("SolAtVertices\n" + std::to_string(mesh.number_of_vertices()) + "\n") != std::string::npos);
 }
 
@@ -337,15 +337,15 @@ void test_optimizers(Mesh& mesh)
         == CGAL::BOUND_REACHED && calls == 5);
   CHECK(mesh.is_valid(true));
   calls = 0;
-  CHECK(CGAL::acvt_optimize_mesh_2(mesh, p::convergence(0.).visitor(Visitor_archetype::make(calls)))
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, p::convergence(0.).visitor(Visitor_archetype::make(calls)))
         == CGAL::BOUND_REACHED && calls == 5);
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, p::measure(CGAL::Anisotropic_mesh_2::Measure::LEBESGUE)
                                                   .number_of_iterations(2));
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   const auto by_regions = p::region_evaluation(CGAL::Anisotropic_mesh_2::Region_evaluation::VISIBILITY_REGIONS)
                             .number_of_iterations(2);
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, by_regions);
-  CGAL::acvt_optimize_mesh_2(mesh, by_regions);
+  CGAL::optimize_anisotropic_mesh_2(mesh, by_regions);
   CHECK(mesh.is_valid(true));
 }
 
@@ -391,7 +391,7 @@ void test_field(const CGAL::Anisotropic_mesh_domain_2<K>& domain, const Field& f
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field, p::maximum_number_of_vertices(10000));
   CHECK(mesh.is_valid(true) && mesh.number_of_vertices() > 15);
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);
   CHECK(CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)>(mesh).number_of_regions() > 0);
@@ -402,7 +402,7 @@ void test_field(const CGAL::Anisotropic_mesh_domain_2<K>& domain, const Field& f
 
 void test_fields()
 {
-  typedef CGAL::Curve_piece_2<K> Piece;
+  typedef CGAL::Anisotropic_mesh_2::Curve_piece_2<K> Piece;
   const K::Point_2 a(0, 0), b(4, 0), c(4, 4), d(0, 4);
   CGAL::Anisotropic_mesh_domain_2<K> square;
   square.add_polygon(Range_archetype<K::Point_2>::make({a, b, c, d}));

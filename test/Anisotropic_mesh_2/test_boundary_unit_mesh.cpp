@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Riemannian lengths against closed forms and brute force, and the boundary
 // meshes that are made of them.
@@ -10,8 +10,8 @@
 #include "include/check.h"
 
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Boundary_unit_mesher.h>
-#include <CGAL/Anisotropic_mesh_2/internal/riemannian_length.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Boundary_unit_mesher.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Riemannian_length_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Metric_tensor_2.h>
 
@@ -27,9 +27,9 @@ typedef K::Point_2                                                Point;
 typedef std::vector<Point>                                        Points;
 typedef CGAL::Metric_tensor_2<K>                                  Tensor;
 typedef CGAL::Anisotropic_mesh_domain_2<K>                        Domain;
-typedef CGAL::Curve_piece_2<K>                                    Piece;
+typedef CGAL::Anisotropic_mesh_2::Curve_piece_2<K>                                    Piece;
 namespace internal = CGAL::Anisotropic_mesh_2::internal;
-typedef internal::Boundary_mesh_2<K>                              Mesh;
+typedef internal::Boundary_graph_2<K>                              Mesh;
 
 const double pi = 3.141592653589793;
 const std::size_t limit = 10000000;
@@ -171,13 +171,13 @@ void test_curves()
 void test_limits()
 {
   const auto tiny = [](const Point&) { return Tensor::from_size(1e-12); };
-  CHECK_THROWS(internal::unit_boundary_mesh(polygon(rectangle(1, 1)), tiny, limit),
-               CGAL::Too_many_vertices_exception, "more than the limit of 10000000");
-  CHECK_THROWS(internal::unit_boundary_mesh(polygon(rectangle(1, 1)), [](const Point&) { return Tensor::from_size(0.1); }, 39),
-               CGAL::Too_many_vertices_exception, "the metric asks for about 40 vertices on the boundary, more than the limit of 39");
+  CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), tiny, limit),
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "more than the limit of 10000000");
+  CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), [](const Point&) { return Tensor::from_size(0.1); }, 39),
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "the metric asks for about 40 vertices on the boundary, more than the limit of 39");
   const auto hollow = [](const Point& p) { return Tensor::from_size(p.x() - 0.5); };
-  CHECK_THROWS(internal::unit_boundary_mesh(polygon(rectangle(1, 1)), hollow, limit),
-               CGAL::Invalid_metric_tensor_exception, "at the point (0, 0)");
+  CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), hollow, limit),
+               CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "at the point (0, 0)");
 }
 
 // Metric lengths of the chords of a straight mesh, in order.
@@ -197,7 +197,7 @@ void test_equal_lengths()
   const Points corners = rectangle(4, 4);
   for(int i = 0; i < 4; ++i)
     domain.add_loop(std::vector<Piece>{Piece::segment(corners[i], corners[(i+1) % 4], i)});
-  const Mesh mesh = internal::unit_boundary_mesh(domain, square4, limit);
+  const Mesh mesh = internal::unit_boundary_graph(domain, square4, limit);
   const double expected = 4 * std::log(1 + 1/0.031), n = internal::number_of_unit_parts(expected);
   CHECK(is_oriented(mesh));
   check_close(doubled_area(mesh), 32, 1e-12, "area");
@@ -210,7 +210,7 @@ void test_equal_lengths()
   for(const Point& p : mesh.points)
     CHECK(p.x() == 0 || p.x() == 4 || p.y() == 0 || p.y() == 4);
 
-  const Mesh kept = internal::unit_boundary_mesh(domain, square4, limit, true);
+  const Mesh kept = internal::unit_boundary_graph(domain, square4, limit, true);
   CHECK(kept.points.size() == 4 && kept.segments.size() == 4);
 }
 
@@ -218,8 +218,8 @@ void test_oblique_area()
 {
   const Points points{Point(0.1, 0.3), Point(7.7, -1.3), Point(9.1, 3.3), Point(4.2, 2.9), Point(3.3, 8.7), Point(-2.1, 5.5)};
   const auto field = [](const Point& p) { return Tensor::from_size(0.01 + 0.003 * std::abs(p.x())); };
-  const double area = doubled_area(internal::unit_boundary_mesh(polygon(points), field, limit, true));
-  check_close(doubled_area(internal::unit_boundary_mesh(polygon(points), field, limit)), area, 1e-12, "oblique area");
+  const double area = doubled_area(internal::unit_boundary_graph(polygon(points), field, limit, true));
+  check_close(doubled_area(internal::unit_boundary_graph(polygon(points), field, limit)), area, 1e-12, "oblique area");
 }
 
 void test_circle()
@@ -227,11 +227,11 @@ void test_circle()
   Domain disc;
   disc.add_circle(Point(0, 0), 1, 9);
   const auto huge = [](const Point&) { return Tensor::from_size(1e6); };
-  const Mesh coarse = internal::unit_boundary_mesh(disc, huge, limit);
+  const Mesh coarse = internal::unit_boundary_graph(disc, huge, limit);
   CHECK(coarse.segments.size() == 8 && count(coarse, 9) == 8);
   CHECK(is_oriented(coarse) && doubled_area(coarse) > 0);
   const auto fine = [](const Point&) { return Tensor::from_size(2*pi/100); };
-  const Mesh mesh = internal::unit_boundary_mesh(disc, fine, limit);
+  const Mesh mesh = internal::unit_boundary_graph(disc, fine, limit);
   CHECK(mesh.points.size() == 100);
   check_close(doubled_area(mesh), 100 * std::sin(2*pi/100), 1e-9, "area of the regular 100-gon");
   for(double l : lengths(mesh, fine))
@@ -240,7 +240,7 @@ void test_circle()
   const Tensor m = Tensor::from_sizes(0.2, 0.05, 0.4); // equal lengths along an ellipse
   const auto constant = [&m](const Point&) { return m; };
   const auto l = length_of(Piece::arc(Point(0, 0), 1, 0, 2*pi), constant);
-  const Mesh oval = internal::unit_boundary_mesh(disc, constant, limit);
+  const Mesh oval = internal::unit_boundary_graph(disc, constant, limit);
   CHECK(oval.points.size() == internal::number_of_unit_parts(l.total()));
   for(const auto& s : oval.segments) {
     const Point &p = oval.points[s.source], &q = oval.points[s.target];
@@ -256,11 +256,11 @@ void test_near_curves()
   Domain gap; // a hole that almost touches the circle around it
   gap.add_circle(Point(0, 0), 1);
   gap.add_circle(Point(0.5, 0.1), 0.49 - 1e-4);
-  const Mesh mesh = internal::unit_boundary_mesh(gap, coarse, limit);
+  const Mesh mesh = internal::unit_boundary_graph(gap, coarse, limit);
   CHECK(is_oriented(mesh));
   CHECK(mesh.points.size() > 16 && mesh.points.size() < 200);
   gap.add_circle(Point(-0.98 * std::cos(0.3), 0.98 * std::sin(0.3)), 1e-3); // between an arc and its chord
-  const Mesh with_hole = internal::unit_boundary_mesh(gap, coarse, limit);
+  const Mesh with_hole = internal::unit_boundary_graph(gap, coarse, limit);
   Domain again;
   std::vector<Point> outer;
   for(const auto& s : with_hole.segments)
@@ -273,11 +273,11 @@ void test_near_curves()
   const auto above = [](double t) { return Point(t, 1e-3 * (1 - t*t)); };
   const auto below = [](double t) { return Point(t, -1e-3 * (1 - t*t)); };
   lens.add_loop(std::vector<Piece>{Piece::parametrized(above, 1, -1), Piece::parametrized(below, -1, 1)});
-  CHECK(internal::unit_boundary_mesh(lens, coarse, limit).segments.size() == 4);
+  CHECK(internal::unit_boundary_graph(lens, coarse, limit).segments.size() == 4);
   const auto kink = [](double t) { return Point(t, std::abs(t - 0.2137)); };
   Domain corner;
   corner.add_loop(std::vector<Piece>{Piece::parametrized(kink, 1, -1), Piece::segment(kink(-1), kink(1))});
-  CHECK(internal::unit_boundary_mesh(corner, coarse, limit).segments.size() == 3); // no bisection at the corner
+  CHECK(internal::unit_boundary_graph(corner, coarse, limit).segments.size() == 3); // no bisection at the corner
 }
 
 Domain l_shape(double s)
@@ -293,7 +293,7 @@ void test_shapes_and_scales()
   std::size_t points = 0;
   for(double s : {1., 1e-30, 1e-9, 1e30}) {
     const auto field = [s](const Point& p) { return Tensor::from_size(0.03*s + p.x()/20 + p.y()/30); };
-    const Mesh mesh = internal::unit_boundary_mesh(l_shape(s), field, limit);
+    const Mesh mesh = internal::unit_boundary_graph(l_shape(s), field, limit);
     CHECK(is_oriented(mesh));
     CHECK(count(mesh, 2) >= 8 && count(mesh, 3) >= 2);
     points = points == 0 ? mesh.points.size() : points;
@@ -312,12 +312,12 @@ void test_shapes_and_scales()
   annulus.add_circle(Point(0, 0), 1);
   annulus.add_circle(Point(0, 0), 0.5);
   const auto uniform = [](const Point&) { return Tensor::from_size(0.1); };
-  const Mesh ring = internal::unit_boundary_mesh(annulus, uniform, limit);
+  const Mesh ring = internal::unit_boundary_graph(annulus, uniform, limit);
   CHECK(ring.segments.size() == 63 + 31 && is_oriented(ring));
   check_close(doubled_area(ring), 2*pi*0.75, 0.01, "area of the annulus");
 
   const double w = 1e-6; // a slit-like notch
-  const Mesh notch = internal::unit_boundary_mesh(
+  const Mesh notch = internal::unit_boundary_graph(
     polygon(Points{Point(0, 0), Point(1, 0), Point(1, 1), Point(0.5 + w/2, 1), Point(0.51, 0.2), Point(0.5 - w/2, 1), Point(0, 1)}),
     uniform, limit);
   CHECK(is_oriented(notch));
@@ -336,7 +336,7 @@ void test_passed_on()
   domain.add_region(Point(3, 3), 8);
   domain.add_polyline(Points{Point(3, 0), Point(3, 1)}, 6);
   const auto field = [](const Point&) { return Tensor::from_size(0.5); };
-  const Mesh mesh = internal::unit_boundary_mesh(domain, field, limit);
+  const Mesh mesh = internal::unit_boundary_graph(domain, field, limit);
   CHECK(mesh.regions.size() == 1 && mesh.regions[0].reference == 8);
   CHECK(count(mesh, 6) == 2 && count(mesh, 5) == 2 + 2 + 3);
   for(const auto& s : mesh.segments)

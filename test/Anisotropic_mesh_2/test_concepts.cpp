@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // The models of the package have all that the concepts promise, and its bases
 // may stand on others that hold the user's data.
@@ -16,7 +16,7 @@
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
-#include <CGAL/Directional_metric_field_2.h>
+#include <CGAL/Oriented_sizes_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
@@ -53,7 +53,7 @@ constexpr bool fields_and_traits_are_models()
   typedef Tensor (*Function)(const Point&);
   static_assert(models_metric_field<CGAL::Constant_metric_field_2<K2>, K2>(), "");
   static_assert(models_metric_field<CGAL::Isotropic_metric_field_2<K2, Size>, K2>(), "");
-  static_assert(models_metric_field<CGAL::Directional_metric_field_2<K2, Sizes>, K2>(), "");
+  static_assert(models_metric_field<CGAL::Oriented_sizes_metric_field_2<K2, Sizes>, K2>(), "");
   static_assert(models_metric_field<CGAL::Discrete_metric_field_2<K2>, K2>(), "");
   static_assert(models_metric_field<Function, K>(), "");
   static_assert(models_riemannian_metric_traits<

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Errors of piecewise constant and of piecewise linear approximations: integrals
 // in closed form, orders of convergence, and what the metrics promise.
@@ -13,8 +13,8 @@
 
 #include <CGAL/Gradient_metric_field_2.h>
 #include <CGAL/Hessian_metric_field_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Adaptive_triangle_integral.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Adaptive_triangle_integral.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/piecewise_constant_approximation_error_2.h>
@@ -220,7 +220,7 @@ std::array<double, 3> hessian_of_layer(const Point& p)
 Mesh optimized(const Field& field, Measure measure)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), field);
-  CGAL::acvt_optimize_mesh_2(mesh, np::measure(measure).number_of_iterations(30));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::measure(measure).number_of_iterations(30));
   return mesh;
 }
 
@@ -244,7 +244,7 @@ void test_gain()
                                     Measure::RIEMANNIAN);
   const Mesh vertices = optimized(CGAL::make_hessian_metric_field_2<K>(hessian_of_layer, 0.02, 1e-3, 0.5, 2),
                                   Measure::RIEMANNIAN);
-  const std::size_t n = std::max(generators.number_of_vertices(), vertices.number_of_vertices());
+  const std::size_t n = (std::max)(generators.number_of_vertices(), vertices.number_of_vertices());
   const double h = 1 / std::sqrt(n * std::sqrt(0.75));
   const Mesh uniform = optimized([h](const Point&) { return Tensor::from_size(h); }, Measure::RIEMANNIAN);
   CHECK(uniform.number_of_vertices() >= n);

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // The generalized constrained Delaunay kernel: equal to CGAL's triangulations
 // where the metric is constant or isotropic, valid with any metric.
@@ -301,7 +301,7 @@ void check_cavity(const T& t, const typename T::Point& p, Cavity_counts& counts)
   CHECK(is_good_cavity(t, p, m, cavity));
   ++counts.cavities;
   counts.faces += long(cavity.faces.size());
-  counts.largest = std::max(counts.largest, long(cavity.faces.size()));
+  counts.largest = (std::max)(counts.largest, long(cavity.faces.size()));
 }
 
 // The same triangulation, but with vertices that come by splitting a face or an
@@ -707,7 +707,7 @@ void test_refused_points()
 {
   const Field<Epick> field = [](const Epick::Point_2& p) { return Tensor::from_entries(1, 0, 3 - p.x()); };
   Triangulation<Epick> t{Traits<Epick>(field)};
-  typedef CGAL::Invalid_metric_tensor_exception Invalid;
+  typedef CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception Invalid;
   CHECK_THROWS(t.insert(Epick::Point_2(5, 7)), Invalid, "(5, 7)");
   CHECK(t.number_of_vertices() == 0 && t.is_valid());
   for(int i = 0; i < 9; ++i)

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Reading and writing of Medit files, and each kind of malformed file with its
 // message.
@@ -12,7 +12,7 @@
 #include "include/marked_triangulation.h"
 #include "include/scratch_directory.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 
 #include <array>
 #include <cmath>
@@ -31,7 +31,7 @@ typedef std::array<std::size_t, 3>                                      Triangle
 
 void test_reading(const std::string& data)
 {
-  const Graph g = CGAL::IO::read_medit<Kernel>(data + "/square.mesh");
+  const Graph g = CGAL::IO::read_MEDIT<Kernel>(data + "/square.mesh");
   CHECK(g.points == std::vector<Kernel::Point_2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.5, 0.5}}));
   CHECK(g.point_references == std::vector<int>({1, 1, 2, 2, 0}));
   CHECK(g.triangles.size() == 4 && g.triangles[3] == Triangle({3, 0, 4}));
@@ -39,21 +39,21 @@ void test_reading(const std::string& data)
   CHECK(g.edges.size() == 4 && g.edges[3].source == 3 && g.edges[3].target == 0 && g.edges[3].reference == -8);
   CHECK(g.holes.empty() && g.regions.empty());
 
-  const std::vector<Tensor> metric = CGAL::IO::read_medit_metric<Kernel>(data + "/square.sol");
+  const std::vector<Tensor> metric = CGAL::IO::read_MEDIT_metric<Kernel>(data + "/square.sol");
   CHECK(metric.size() == 5);
   CHECK(metric[1] == Tensor::from_entries(4, 0.5, 1));
   CHECK(metric[4] == Tensor::from_entries(100, 0, 0.01));
 
-  const Graph plane = CGAL::IO::read_medit<Kernel>(data + "/planar_3d.mesh");
+  const Graph plane = CGAL::IO::read_MEDIT<Kernel>(data + "/planar_3d.mesh");
   CHECK(plane.points[1] == Kernel::Point_2(1, 0) && plane.triangles[0] == Triangle({0, 2, 1}));
-  const Graph bamg = CGAL::IO::read_medit<Kernel>(data + "/from_bamg.mesh");
+  const Graph bamg = CGAL::IO::read_MEDIT<Kernel>(data + "/from_bamg.mesh");
   CHECK(bamg.points.size() == 3 && bamg.edges.size() == 3 && bamg.triangles.size() == 1);
 }
 
 void test_small_files(const Scratch_directory& scratch)
 {
   const auto read = [&](const std::string& text) {
-    return CGAL::IO::read_medit<Kernel>(scratch.file("small.mesh", text));
+    return CGAL::IO::read_MEDIT<Kernel>(scratch.file("small.mesh", text));
   };
   CHECK(read("Dimension 2 Vertices 1 3 4 5\n").points[0] == Kernel::Point_2(3, 4)); // no version, no End
   CHECK(read("MeshVersionFormatted 4\r\nDimension 2\r\nVertices\r\n1\r\n3 4 5\r\nEnd").point_references[0] == 5);
@@ -63,9 +63,9 @@ void test_small_files(const Scratch_directory& scratch)
 
 void test_round_trips(const std::string& data, const Scratch_directory& scratch)
 {
-  const Graph g = CGAL::IO::read_medit<Kernel>(data + "/square.mesh");
-  CGAL::IO::write_medit(scratch / "again.mesh", g);
-  CHECK(are_equal(g, CGAL::IO::read_medit<Kernel>(scratch / "again.mesh")));
+  const Graph g = CGAL::IO::read_MEDIT<Kernel>(data + "/square.mesh");
+  CGAL::IO::write_MEDIT(scratch / "again.mesh", g);
+  CHECK(are_equal(g, CGAL::IO::read_MEDIT<Kernel>(scratch / "again.mesh")));
 
   std::mt19937_64 random(7);
   Graph h;
@@ -77,17 +77,17 @@ void test_round_trips(const std::string& data, const Scratch_directory& scratch)
     tensors.push_back(Tensor::from_sizes(std::ldexp(1., i % 20) / 3, 1 / 7., i));
   }
   h.edges.push_back({0, 999, -3});
-  CGAL::IO::write_medit(scratch / "random.mesh", h);
-  CHECK(are_equal(h, CGAL::IO::read_medit<Kernel>(scratch / "random.mesh"))); // all digits
-  CGAL::IO::write_medit_metric(scratch / "random.sol", tensors);
-  CHECK(CGAL::IO::read_medit_metric<Kernel>(scratch / "random.sol") == tensors);
+  CGAL::IO::write_MEDIT(scratch / "random.mesh", h);
+  CHECK(are_equal(h, CGAL::IO::read_MEDIT<Kernel>(scratch / "random.mesh"))); // all digits
+  CGAL::IO::write_MEDIT_metric(scratch / "random.sol", tensors);
+  CHECK(CGAL::IO::read_MEDIT_metric<Kernel>(scratch / "random.sol") == tensors);
 }
 
 void test_triangulations(const Scratch_directory& scratch)
 {
   const Marked_cdt cdt = marked_rectangle();
-  CGAL::IO::write_medit(scratch / "cdt.mesh", cdt);
-  const Graph g = CGAL::IO::read_medit<Kernel>(scratch / "cdt.mesh");
+  CGAL::IO::write_MEDIT(scratch / "cdt.mesh", cdt);
+  const Graph g = CGAL::IO::read_MEDIT<Kernel>(scratch / "cdt.mesh");
   CHECK(g.points.size() == 5); // none from outside of the domain
   CHECK(g.triangles.size() == 4);
   CHECK(g.edges.size() == 5); // the outline and the diagonal
@@ -103,10 +103,10 @@ void test_triangulations(const Scratch_directory& scratch)
   CHECK(area == 12);
 
   std::ostringstream first, second;
-  CGAL::IO::write_medit(first, Cdt_with_references(cdt));
-  CGAL::IO::write_medit(second, Cdt_with_references(cdt));
+  CGAL::IO::write_MEDIT(first, Cdt_with_references(cdt));
+  CGAL::IO::write_MEDIT(second, Cdt_with_references(cdt));
   CHECK(first.str() == second.str());
-  const Graph with_references = CGAL::IO::read_medit<Kernel>(scratch.file("references.mesh", first.str()));
+  const Graph with_references = CGAL::IO::read_MEDIT<Kernel>(scratch.file("references.mesh", first.str()));
   int sum = 0;
   for(const auto& e : with_references.edges)
     sum += e.reference;
@@ -114,10 +114,10 @@ void test_triangulations(const Scratch_directory& scratch)
   for(std::size_t i = 0; i < 5; ++i) // the least reference of the edges there
     CHECK(with_references.point_references[i] == (with_references.points[i].x() == 3 ? 0 : 2));
 
-  CGAL::IO::write_medit(scratch / "callable.mesh", cdt, [](const Marked_cdt::Edge&) { return 42; });
-  CHECK(CGAL::IO::read_medit<Kernel>(scratch / "callable.mesh").edges[0].reference == 42);
-  CGAL::IO::write_medit(scratch / "empty.mesh", Marked_cdt());
-  CHECK(CGAL::IO::read_medit<Kernel>(scratch / "empty.mesh").points.empty());
+  CGAL::IO::write_MEDIT(scratch / "callable.mesh", cdt, [](const Marked_cdt::Edge&) { return 42; });
+  CHECK(CGAL::IO::read_MEDIT<Kernel>(scratch / "callable.mesh").edges[0].reference == 42);
+  CGAL::IO::write_MEDIT(scratch / "empty.mesh", Marked_cdt());
+  CHECK(CGAL::IO::read_MEDIT<Kernel>(scratch / "empty.mesh").points.empty());
 }
 
 void test_malformed_meshes(const Scratch_directory& scratch)
@@ -169,11 +169,11 @@ void test_malformed_meshes(const Scratch_directory& scratch)
     {std::string("\1\0\0\0\3\0\0\0", 8), "binary"}};
   for(const auto& c : cases) {
     const std::string file = scratch.file("bad.mesh", c.first);
-    CHECK_THROWS(CGAL::IO::read_medit<Kernel>(file), Bad, c.second);
-    CHECK_THROWS(CGAL::IO::read_medit<Kernel>(file), Bad, file + ":");
+    CHECK_THROWS(CGAL::IO::read_MEDIT<Kernel>(file), Bad, c.second);
+    CHECK_THROWS(CGAL::IO::read_MEDIT<Kernel>(file), Bad, file + ":");
   }
-  CHECK_THROWS(CGAL::IO::read_medit<Kernel>(scratch / "none.mesh"), Bad, "none.mesh: there is no such file");
-  CHECK_THROWS(CGAL::IO::read_medit<Kernel>(scratch.path().string()), Bad, "it is a directory");
+  CHECK_THROWS(CGAL::IO::read_MEDIT<Kernel>(scratch / "none.mesh"), Bad, "none.mesh: there is no such file");
+  CHECK_THROWS(CGAL::IO::read_MEDIT<Kernel>(scratch.path().string()), Bad, "it is a directory");
 }
 
 void test_malformed_metrics(const Scratch_directory& scratch)
@@ -194,9 +194,9 @@ void test_malformed_metrics(const Scratch_directory& scratch)
     {head + "1000000000000000000\n1 3\n", "found the end of the file"},
     {head + "0\n1 3\nVertices\n0\nEnd\n", "the section Vertices is not supported"}};
   for(const auto& c : cases)
-    CHECK_THROWS(CGAL::IO::read_medit_metric<Kernel>(scratch.file("bad.sol", c.first)), Bad, c.second);
+    CHECK_THROWS(CGAL::IO::read_MEDIT_metric<Kernel>(scratch.file("bad.sol", c.first)), Bad, c.second);
   const std::vector<Tensor> sizes
-    = CGAL::IO::read_medit_metric<Kernel>(scratch.file("size.sol", head + "2 1 1 0.5 2 End"));
+    = CGAL::IO::read_MEDIT_metric<Kernel>(scratch.file("size.sol", head + "2 1 1 0.5 2 End"));
   CHECK(sizes.size() == 2 && sizes[0] == Tensor::from_size(0.5) && sizes[1] == Tensor::from_size(2));
 }
 
@@ -209,7 +209,7 @@ void test_truncated_files(const std::string& data, const Scratch_directory& scra
   std::size_t refused = 0;
   for(std::size_t size = 0; size < end_of_elements; ++size)
     try {
-      CGAL::IO::read_medit<Kernel>(scratch.file("cut.mesh", text.substr(0, size)));
+      CGAL::IO::read_MEDIT<Kernel>(scratch.file("cut.mesh", text.substr(0, size)));
       CHECK_MSG(text[size - 1] == '\n', "cut at " + std::to_string(size));
     }
     catch(const Bad&) {
@@ -229,7 +229,7 @@ void test_damaged_files(const std::string& data, const Scratch_directory& scratc
     for(int j = 0; j < 3; ++j)
       damaged[random() % damaged.size()] = "0123456789-+.e#\n \"\0xE"[random() % 20];
     try {
-      const Graph g = CGAL::IO::read_medit<Kernel>(scratch.file("damaged.mesh", damaged));
+      const Graph g = CGAL::IO::read_MEDIT<Kernel>(scratch.file("damaged.mesh", damaged));
       ++read;
       for(const Triangle& t : g.triangles)
         CHECK(t[0] < g.points.size() && t[1] < g.points.size() && t[2] < g.points.size());

@@ -5,7 +5,7 @@
 
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Random.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
@@ -32,7 +32,7 @@ double smallest_distance(const Mesh& mesh)
     if(mesh.is_fixed(u) && mesh.is_fixed(v))
       continue;
     const CGAL::Vector_2<K> d = v->point() - u->point();
-    least = std::min(least, (std::sqrt(u->metric_tensor().squared_length(d))
+    least = (std::min)(least, (std::sqrt(u->metric_tensor().squared_length(d))
                              + std::sqrt(v->metric_tensor().squared_length(d))) / 2);
   }
   return least;
@@ -58,7 +58,7 @@ void test_optimized(const Case& c, double unit_share, double quality_mean, doubl
   if(by_lloyd)
     CGAL::lloyd_optimize_anisotropic_mesh_2(mesh);
   else
-    CGAL::acvt_optimize_mesh_2(mesh);
+    CGAL::optimize_anisotropic_mesh_2(mesh);
   const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(mesh);
   std::ostringstream figures;
   figures << c.name << (by_lloyd ? " by Lloyd:\n" : ":\n") << s;
@@ -73,7 +73,7 @@ void test_optimized(const Case& c, double unit_share, double quality_mean, doubl
 void test_gates(const Case& c, double shortest, double longest, double unit_share, double least_quality)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(mesh);
   std::ostringstream figures;
   figures << c.name << ":\n" << s;
@@ -88,12 +88,12 @@ void test_domain_with_everything()
   CGAL::Anisotropic_mesh_domain_2<K> domain;
   domain.add_polygon(std::vector<Point>{Point(0, 0), Point(4, 0), Point(4, 2), Point(2, 2), Point(2, 4), Point(0, 4)}, 7);
   domain.add_circle(Point(1, 1), 0.5, 8);
-  domain.add_constraint(CGAL::Curve_piece_2<K>::segment(Point(2, 2), Point(2, 0), 9));
+  domain.add_constraint(CGAL::Anisotropic_mesh_2::Curve_piece_2<K>::segment(Point(2, 2), Point(2, 0), 9));
   domain.add_region(Point(3, 1), 30);
   domain.add_region(Point(1, 3), 10);
   const Field field = [](const Point& p) { return Tensor::from_sizes(0.1 + 0.1*p.x(), 0.2, p.y()); };
   Mesh mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(20));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(20));
   CHECK(mesh.is_valid(true));
   CHECK(std::abs(area_of(mesh) / (12 - std::acos(-1.) / 4) - 1) < 0.02);
 
@@ -155,7 +155,7 @@ void test_clustered_start()
   CGAL::lloyd_optimize_anisotropic_mesh_2(lloyd, CGAL::parameters::number_of_iterations(200));
   const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(lloyd);
   CHECK_MSG(lloyd.is_valid(true) && s.quality_mean > 0.95, std::to_string(s.quality_mean));
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(200));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(200));
   const Mesh_statistics q = CGAL::anisotropic_mesh_statistics_2(mesh);
   CHECK_MSG(mesh.is_valid(true) && q.quality_mean > 0.97, std::to_string(q.quality_mean));
 }
@@ -164,21 +164,21 @@ void test_refusals()
 {
   const CGAL::Anisotropic_mesh_domain_2<K> domain = box(0, 1);
   CHECK_THROWS(CGAL::make_anisotropic_mesh_2(domain, Field([](const Point&) { return Tensor::from_size(1e-6); })),
-               CGAL::Too_many_vertices_exception, "1.1547e+12");
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "1.1547e+12");
   CHECK_THROWS(CGAL::make_anisotropic_mesh_2(domain, Field([](const Point&) { return Tensor::from_size(0.01); }),
                                              np::maximum_number_of_vertices(500)),
-               CGAL::Too_many_vertices_exception, "500");
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "500");
   CHECK_THROWS(CGAL::make_anisotropic_mesh_2(domain, Field([](const Point&) { return Tensor::from_size(0); })),
-               CGAL::Invalid_metric_tensor_exception, "at the point (");
+               CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "at the point (");
   CHECK_THROWS(CGAL::make_anisotropic_mesh_2(domain, Field([](const Point& p)
                  { return Tensor::from_entries(p.x() > 0.7 ? -1 : 100, 0, 100); })),
-               CGAL::Invalid_metric_tensor_exception, "m11 = -1");
+               CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "m11 = -1");
   // the field names the point itself, and the traits do not name it once more
   try {
     CGAL::make_anisotropic_mesh_2(domain, CGAL::make_isotropic_metric_field_2<K>([](const Point&) { return -1.; }));
     CHECK(false);
   }
-  catch(const CGAL::Invalid_metric_tensor_exception& e) {
+  catch(const CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception& e) {
     const std::string what = e.what(), words = "at the point (";
     CHECK_MSG(what.find(words) != std::string::npos && what.find(words) == what.rfind(words), what);
   }
@@ -195,7 +195,7 @@ void test_field_defined_on_the_domain_only()
   CGAL::Anisotropic_mesh_domain_2<K> domain;
   domain.add_polygon(std::vector<Point>{Point(0, 0), Point(1, 0), Point(1, 0.5), Point(0.5, 0.5), Point(0.5, 1), Point(0, 1)});
   Mesh mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(5));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.95);
@@ -207,18 +207,18 @@ void test_scaling()
 {
   const Field unit = [](const Point& p) { return Tensor::from_sizes(0.05 + 0.1*p.x(), 0.1 + 0.1*p.y()); };
   Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), unit);
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(10));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(10));
   for(double s : {std::ldexp(1., -100), std::ldexp(1., 100)}) {
     const Field field = [s, unit](const Point& p) { return unit(Point(p.x() / s, p.y() / s)).scaled(s); };
     Mesh scaled = CGAL::make_anisotropic_mesh_2(box(0, s), field);
-    CGAL::acvt_optimize_mesh_2(scaled, CGAL::parameters::number_of_iterations(10));
+    CGAL::optimize_anisotropic_mesh_2(scaled, CGAL::parameters::number_of_iterations(10));
     CHECK(scaled.is_valid(true));
     if(!CHECK(scaled.number_of_vertices() == mesh.number_of_vertices()))
       continue;
     double error = 0;
     for(auto v = mesh.finite_vertices_begin(), w = scaled.finite_vertices_begin();
         v != mesh.finite_vertices_end(); ++v, ++w)
-      error = std::max(error, std::hypot(w->point().x() / s - v->point().x(), w->point().y() / s - v->point().y()));
+      error = (std::max)(error, std::hypot(w->point().x() / s - v->point().x(), w->point().y() / s - v->point().y()));
     CHECK_MSG(error == 0, std::to_string(error));
   }
 }

@@ -1,15 +1,15 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // The metric fields; the discrete one against a search through all triangles.
 
 #include "include/check.h"
 
 #include <CGAL/Constant_metric_field_2.h>
-#include <CGAL/Directional_metric_field_2.h>
+#include <CGAL/Oriented_sizes_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gradient_metric_field_2.h>
@@ -34,7 +34,7 @@ typedef Kernel::Point_2                                                 Point;
 typedef CGAL::Metric_tensor_2<Kernel>                                   Tensor;
 typedef CGAL::Discrete_metric_field_2<Kernel>                           Discrete;
 typedef Discrete::Background                                            Background;
-typedef CGAL::Invalid_metric_tensor_exception                           Invalid;
+typedef CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception                           Invalid;
 
 struct Sizes { double h1, h2, angle; };
 
@@ -189,7 +189,7 @@ Tensor by_brute_force(const Background& g, const std::vector<Tensor>& tensors, c
       double nearest = std::numeric_limits<double>::infinity();
       for(int i = 0; i < 3; ++i) {
         const Point a = triangle[i], b = triangle[i + 1];
-        const double s = std::min(1., std::max(0., (p - a) * (b - a) / (b - a).squared_length()));
+        const double s = (std::min)(1., (std::max)(0., (p - a) * (b - a) / (b - a).squared_length()));
         const Point c = a + s * (b - a);
         if(CGAL::squared_distance(p, c) < nearest) {
           nearest = CGAL::squared_distance(p, c);

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Metric tensors against Eigen, and which of them are refused.
 
@@ -24,7 +24,7 @@
 typedef CGAL::Exact_predicates_inexact_constructions_kernel   Kernel;
 typedef CGAL::Exact_predicates_exact_constructions_kernel     Exact;
 typedef CGAL::Metric_tensor_2<Kernel>                         Tensor;
-typedef CGAL::Invalid_metric_tensor_exception                 Invalid;
+typedef CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception                 Invalid;
 typedef Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>        Solver;
 
 const double infinity = std::numeric_limits<double>::infinity();

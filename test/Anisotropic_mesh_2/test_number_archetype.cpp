@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Domains, fields, files and meshes over a kernel of CGAL whose number type has
 // the least that is promised.
@@ -12,20 +12,20 @@
 #include "include/concept_checks.h"
 #include "include/scratch_directory.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/poly.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/POLY.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Constant_metric_field_2.h>
-#include <CGAL/Curve_piece_2.h>
-#include <CGAL/Directional_metric_field_2.h>
+#include <CGAL/Anisotropic_mesh_2/Curve_piece_2.h>
+#include <CGAL/Oriented_sizes_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
 #include <CGAL/Gradient_metric_field_2.h>
 #include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
@@ -45,7 +45,7 @@ typedef CGAL::Simple_cartesian<Number_archetype>                   K;
 typedef K::FT                                                      FT;
 typedef K::Point_2                                                 Point;
 typedef CGAL::Metric_tensor_2<K>                                   Tensor;
-typedef CGAL::Curve_piece_2<K>                                     Piece;
+typedef CGAL::Anisotropic_mesh_2::Curve_piece_2<K>                                     Piece;
 typedef CGAL::Anisotropic_mesh_domain_2<K>                         Domain;
 typedef CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<K>  Graph;
 
@@ -59,7 +59,7 @@ void test_tensor()
   CHECK(std::abs(Tensor::from_logarithm(m.logarithm()).sizes().h2 - 2) < 1e-12);
   CHECK(m.squared_length(K::Vector_2(1, 0)) == m.m11() && m.scaled(2).m22() == m.m22() / 4);
   CHECK(m.scalar_product(K::Vector_2(1, 0), K::Vector_2(0, 1)) == m.m12() && m != Tensor());
-  CHECK_THROWS(Tensor::from_entries(1, 2, 1), CGAL::Invalid_metric_tensor_exception, "positive definite");
+  CHECK_THROWS(Tensor::from_entries(1, 2, 1), CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "positive definite");
 }
 
 // [0, 4] x [0, 4] with a hole, a bulge, and inner curves
@@ -83,7 +83,7 @@ void test_mesh(const Domain& domain, const Field& field)
 {
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
   CHECK(mesh.is_valid(true) && mesh.number_of_vertices() > 20);
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
   CGAL::lloyd_optimize_anisotropic_mesh_2
     (mesh, CGAL::Anisotropic_mesh_2::parameters::region_evaluation
@@ -104,8 +104,8 @@ void test_mesh(const Domain& domain, const Field& field)
   std::ostringstream os;
   CGAL::IO::write_SVG(os, mesh);
   CGAL::IO::write_SVG(os, diagram);
-  CGAL::IO::write_medit(os, mesh);
-  CGAL::IO::write_medit_metric(os, mesh);
+  CGAL::IO::write_MEDIT(os, mesh);
+  CGAL::IO::write_MEDIT_metric(os, mesh);
   CHECK(os.str().find("SolAtVertices") != std::string::npos);
 }
 
@@ -137,13 +137,13 @@ Graph graph()
 void test_files()
 {
   const Scratch_directory scratch;
-  CGAL::IO::write_medit(scratch / "square.mesh", graph());
-  CGAL::IO::write_poly(scratch / "square.poly", graph());
-  CGAL::IO::write_medit_metric(scratch / "square.sol", std::vector<Tensor>(4, Tensor::from_size(FT(0.5))));
-  const Graph background = CGAL::IO::read_medit<K>(scratch / "square.mesh");
-  const CGAL::Discrete_metric_field_2<K> field(background, CGAL::IO::read_medit_metric<K>(scratch / "square.sol"));
+  CGAL::IO::write_MEDIT(scratch / "square.mesh", graph());
+  CGAL::IO::write_POLY(scratch / "square.poly", graph());
+  CGAL::IO::write_MEDIT_metric(scratch / "square.sol", std::vector<Tensor>(4, Tensor::from_size(FT(0.5))));
+  const Graph background = CGAL::IO::read_MEDIT<K>(scratch / "square.mesh");
+  const CGAL::Discrete_metric_field_2<K> field(background, CGAL::IO::read_MEDIT_metric<K>(scratch / "square.sol"));
   CHECK(CGAL::to_double(field(Point(1, 2)).m11()) > 3.99);
-  CHECK(Domain(CGAL::IO::read_poly<K>(scratch / "square.poly")).number_of_pieces() == 4);
+  CHECK(Domain(CGAL::IO::read_POLY<K>(scratch / "square.poly")).number_of_pieces() == 4);
   test_mesh(Domain(background), field);
 }
 

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Output files appear complete or not at all; OFF and VTU.
 
@@ -10,10 +10,10 @@
 #include "include/marked_triangulation.h"
 #include "include/scratch_directory.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
-#include <CGAL/Anisotropic_mesh_2/IO/off.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
-#include <CGAL/Anisotropic_mesh_2/IO/vtu.h>
+#include <CGAL/Anisotropic_mesh_2/IO/VTU.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
@@ -74,9 +74,9 @@ void test_failures(const Scratch_directory& scratch)
                "no_such_directory/a.txt: cannot be opened for writing: No such file or directory");
   CHECK_THROWS(Safe_output_file(scratch.path().string()), Bad, "it is a directory");
   CHECK_THROWS(Safe_output_file(""), Bad, "the name is empty");
-  CHECK_THROWS(CGAL::IO::write_off(scratch / "no/a.off", marked_rectangle()), Bad, "no/a.off");
+  CHECK_THROWS(CGAL::IO::write_OFF(scratch / "no/a.off", marked_rectangle()), Bad, "no/a.off");
   CHECK_THROWS(CGAL::IO::write_vtu(scratch / "no/a.vtu", marked_rectangle()), Bad, "no/a.vtu");
-  CHECK_THROWS(CGAL::IO::write_medit(scratch / "no/a.mesh", marked_rectangle()), Bad, "no/a.mesh");
+  CHECK_THROWS(CGAL::IO::write_MEDIT(scratch / "no/a.mesh", marked_rectangle()), Bad, "no/a.mesh");
   CHECK(scratch.number_of_files() == 0);
 }
 
@@ -101,7 +101,7 @@ void test_special_files(const Scratch_directory& scratch)
 void test_off(const Scratch_directory& scratch)
 {
   std::ostringstream os;
-  CGAL::IO::write_off(os, marked_rectangle());
+  CGAL::IO::write_OFF(os, marked_rectangle());
   std::istringstream is(os.str());
   std::string word;
   std::size_t vertices, faces, edges;
@@ -120,7 +120,7 @@ void test_off(const Scratch_directory& scratch)
   }
   CHECK(area == 12);
   CHECK(!(is >> word));
-  CGAL::IO::write_off(scratch / "a.off", marked_rectangle());
+  CGAL::IO::write_OFF(scratch / "a.off", marked_rectangle());
   CHECK(content_of(scratch / "a.off") == os.str());
 }
 
@@ -170,7 +170,7 @@ void test_exact_kernel()
   cdt.finite_faces_begin()->set_in_domain(true);
   std::ostringstream vtu, off;
   CGAL::IO::write_vtu(vtu, cdt, CGAL::IO::ASCII);
-  CGAL::IO::write_off(off, cdt);
+  CGAL::IO::write_OFF(off, cdt);
   CHECK(vtu.str().find("Float64") != std::string::npos && vtu.str().find("0.25 0 0") != std::string::npos);
   CHECK(off.str().find("0.25 0 0") != std::string::npos);
 }

@@ -12,7 +12,7 @@
 #include <CGAL/Delaunay_mesher_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -62,7 +62,7 @@ void test_own_vertex_base()
   CHECK(mesh.empty_mesh().number_of_vertices() < mesh.number_of_vertices());
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
   check_names(mesh, "Lloyd");
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(false));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(false));
   check_names(mesh, "quasi-Newton");
   CHECK(mesh.number_of_vertices() == by_default.number_of_vertices());
 }
@@ -101,7 +101,7 @@ void test_triangulation_of_cgal()
     if(f->is_in_domain())
       area += CGAL::area(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
   CHECK_MSG(std::abs(area - 3) < 1e-12, std::to_string(area));
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   CHECK(mesh.is_valid(true) && number_of_constraints(mesh) == number_of_constraints(cdt));
 }
 

@@ -1,23 +1,23 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Parametric surfaces, their derivatives and curvatures, and the metrics they induce, against closed forms.
 
 #include "include/check.h"
 
-#include <CGAL/Callable_surface_3.h>
-#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Anisotropic_mesh_2/Callable_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Parametric_ellipsoid_3.h>
-#include <CGAL/Parametric_torus_3.h>
-#include <CGAL/Quadratic_graph_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Parametric_ellipsoid_3.h>
+#include <CGAL/Anisotropic_mesh_2/Parametric_torus_3.h>
+#include <CGAL/Anisotropic_mesh_2/Quadratic_graph_surface_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_metric_field_2.h>
-#include <CGAL/principal_curvatures_3.h>
+#include <CGAL/Anisotropic_mesh_2/principal_curvatures_3.h>
 
 #include <array>
 #include <cmath>
@@ -103,8 +103,8 @@ void test_derivatives(const Surface& surface)
 
 void test_periods()
 {
-  const CGAL::Parametric_torus_3<K> torus(3, 1);
-  const CGAL::Parametric_ellipsoid_3<K> ellipsoid(3, 2, 1);
+  const CGAL::Anisotropic_mesh_2::Parametric_torus_3<K> torus(3, 1);
+  const CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K> ellipsoid(3, 2, 1);
   const double period = 2 * CGAL_PI;
   CHECK(norm(torus.point(Point_2(1, 2)) - torus.point(Point_2(1 + period, 2 - period))) < 1e-14);
   CHECK(norm(ellipsoid.point(Point_2(1, 0.4)) - ellipsoid.point(Point_2(1 - period, 0.4))) < 1e-14);
@@ -124,17 +124,17 @@ double size_at(const Point_3& p) { return 0.1 + 0.01 * (p.x() + p.y() + p.z()); 
 void test_induced_metrics()
 {
   const Point_2 p(0.7, 0.4);
-  const CGAL::Parametric_ellipsoid_3<K> sphere(2, 2, 2);
+  const CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K> sphere(2, 2, 2);
   double q = 1 / (size_at(sphere.point(p)) * size_at(sphere.point(p)));
   check_tensor(CGAL::make_surface_metric_field_2(sphere, size_at)(p),
                q * 4 * std::cos(0.4) * std::cos(0.4), 0, q * 4, "sphere");
 
-  const CGAL::Parametric_torus_3<K> torus(3, 1);
+  const CGAL::Anisotropic_mesh_2::Parametric_torus_3<K> torus(3, 1);
   const double w = 3 + std::cos(0.4);
   q = 1 / (size_at(torus.point(p)) * size_at(torus.point(p)));
   check_tensor(CGAL::make_surface_metric_field_2(torus, size_at)(p), q * w*w, 0, q, "torus");
 
-  const CGAL::Quadratic_graph_surface_3<K> saddle(2, -4, rectangle(-1, 1, -1, 1));
+  const CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> saddle(2, -4, rectangle(-1, 1, -1, 1));
   const double zx = 4 * 0.7, zy = -8 * 0.4;
   q = 1 / (size_at(saddle.point(p)) * size_at(saddle.point(p)));
   check_tensor(CGAL::make_surface_metric_field_2(saddle, size_at)(p), q * (1 + zx*zx), q * zx*zy, q * (1 + zy*zy),
@@ -165,7 +165,7 @@ void test_tensors()
     CHECK(std::abs(turned.scalar_product(axes[i], axes[(i + 1) % 3])) < 1e-14);
   }
   CHECK(turned.entries() == Tensor_3::from_entries(turned.entries()).entries());
-  typedef CGAL::Invalid_metric_tensor_exception Refusal;
+  typedef CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception Refusal;
   CHECK_THROWS(Tensor_3::from_sizes(1, -2, 1), Refusal, "the size -2 is not positive definite");
   CHECK_THROWS(Tensor_3::from_size(std::nan("")), Refusal, "nan");
   CHECK_THROWS(Tensor_3::from_entries({1, 2, 0, 1, 0, 1}), Refusal, "entries 1 2 0 1 0 1 is not positive definite");
@@ -177,7 +177,7 @@ void test_tensors()
 template <class Surface>
 void check_curvatures(const Surface& surface, const Point_2& p, double k_min, double k_max, const std::string& what)
 {
-  const auto k = CGAL::principal_curvatures_3(surface, p);
+  const auto k = CGAL::Anisotropic_mesh_2::principal_curvatures_3(surface, p);
   CHECK_MSG(std::abs(k.k_min - k_min) < 1e-6 && std::abs(k.k_max - k_max) < 1e-6,
             what + ": " + std::to_string(k.k_min) + ", " + std::to_string(k.k_max));
   CHECK(std::abs(norm(k.v_min) - 1) < 1e-12 && std::abs(norm(k.v_max) - 1) < 1e-12 && std::abs(norm(k.normal) - 1) < 1e-12);
@@ -188,21 +188,21 @@ void check_curvatures(const Surface& surface, const Point_2& p, double k_min, do
 
 void test_curvatures()
 {
-  const CGAL::Parametric_torus_3<K> torus(3, 0.5);
+  const CGAL::Anisotropic_mesh_2::Parametric_torus_3<K> torus(3, 0.5);
   for(const Point_2& p : places(torus.parameters())) {
     const double along = -std::cos(p.y()) / (3 + 0.5 * std::cos(p.y()));
     check_curvatures(torus, p, -2, along, "torus");
-    const auto k = CGAL::principal_curvatures_3(torus, p);
+    const auto k = CGAL::Anisotropic_mesh_2::principal_curvatures_3(torus, p);
     CHECK(std::abs(std::abs(k.v_min * torus.first_derivatives(p)[1]) - 0.5) < 1e-12); // around the tube
   }
-  const CGAL::Parametric_ellipsoid_3<K> sphere(2, 2, 2); // umbilic everywhere
+  const CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K> sphere(2, 2, 2); // umbilic everywhere
   check_curvatures(sphere, Point_2(0.3, 0.8), -0.5, -0.5, "sphere");
   const Rectangle r = rectangle(-1, 1, -1, 1);
-  check_curvatures(CGAL::Quadratic_graph_surface_3<K>(2, -4, r), Point_2(0, 0), -8, 4, "saddle");
+  check_curvatures(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(2, -4, r), Point_2(0, 0), -8, 4, "saddle");
   const double zx = 2, zy = -4, w = 1 + zx*zx + zy*zy; // at (0.5, 0.5)
   const double gauss = 4 * -8 / (w*w), mean = ((1 + zy*zy) * 4 + (1 + zx*zx) * -8) / (2 * std::pow(w, 1.5));
   const double root = std::sqrt(mean*mean - gauss);
-  check_curvatures(CGAL::Quadratic_graph_surface_3<K>(2, -4, r), Point_2(0.5, 0.5), mean - root, mean + root, "saddle");
+  check_curvatures(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(2, -4, r), Point_2(0.5, 0.5), mean - root, mean + root, "saddle");
   const auto cylinder = CGAL::make_callable_surface_3<K>([](const Point_2& x) {
     return Point_3(2 * std::cos(x.x()), 2 * std::sin(x.x()), x.y());
   }, rectangle(0, 3, 0, 1));
@@ -212,9 +212,9 @@ void test_curvatures()
 // An edge of unit length around the tube of a torus is as far from it as promised.
 void test_chord_error()
 {
-  const CGAL::Parametric_torus_3<K> torus(3, 0.5);
+  const CGAL::Anisotropic_mesh_2::Parametric_torus_3<K> torus(3, 0.5);
   for(double epsilon : {0.1, 0.01, 1e-3}) {
-    const CGAL::Curvature_metric_3<CGAL::Parametric_torus_3<K> > metric(epsilon, 1e-6, 1e6);
+    const CGAL::Anisotropic_mesh_2::Curvature_metric_3<CGAL::Anisotropic_mesh_2::Parametric_torus_3<K> > metric(epsilon, 1e-6, 1e6);
     const auto m = metric(torus, Point_2(0, 0));
     const double size = 1 / std::sqrt(m.squared_length(Vector_3(0, 0, 1)));
     const double sagitta = 0.5 - std::sqrt(0.25 - size*size / 4);
@@ -225,8 +225,8 @@ void test_chord_error()
 
 void test_bounds_of_sizes()
 {
-  const CGAL::Quadratic_graph_surface_3<K> plane(0, 0, rectangle(0, 1, 0, 1)), trough(0, 5, rectangle(-1, 1, -1, 1));
-  typedef CGAL::Curvature_metric_3<CGAL::Quadratic_graph_surface_3<K> > Metric;
+  const CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> plane(0, 0, rectangle(0, 1, 0, 1)), trough(0, 5, rectangle(-1, 1, -1, 1));
+  typedef CGAL::Anisotropic_mesh_2::Curvature_metric_3<CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> > Metric;
   const Tensor_3 flat = Metric(0.01, 0.1, 3)(plane, Point_2(0.5, 0.5));
   CHECK(std::abs(flat.squared_length(Vector_3(1, 0, 0)) - 1./9) < 1e-14);
   const auto size = [](const Tensor_3& m, const Vector_3& v) { return 1 / std::sqrt(m.squared_length(v)); };
@@ -243,7 +243,7 @@ void check_refusal(const Function& function, const Point_2& p, const std::string
 {
   const auto field = CGAL::make_surface_metric_field_2
     (CGAL::make_callable_surface_3<K>(function, rectangle(-1, 1, -1, 1)), [](const Point_3&) { return 1.; });
-  CHECK_THROWS(field(p), CGAL::Degenerate_parametrization_exception, words);
+  CHECK_THROWS(field(p), CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, words);
 }
 
 void test_refusals()
@@ -259,16 +259,16 @@ void test_refusals()
   const auto pole = CGAL::make_surface_metric_field_2
     (CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(p.y() * p.x(), p.y(), p.y()); },
                                       rectangle(-1, 1, 0, 1)), [](const Point_3&) { return 1.; });
-  CHECK_THROWS(pole(Point_2(0.5, 0)), CGAL::Degenerate_parametrization_exception, "by u is zero at the point (0.5, 0)");
+  CHECK_THROWS(pole(Point_2(0.5, 0)), CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, "by u is zero at the point (0.5, 0)");
   const auto bad_size = CGAL::make_surface_metric_field_2
-    (CGAL::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return -1.; });
-  CHECK_THROWS(bad_size(Point_2(0, 0)), CGAL::Invalid_metric_tensor_exception, "the size -1");
+    (CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return -1.; });
+  CHECK_THROWS(bad_size(Point_2(0, 0)), CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "the size -1");
 }
 
 void test_other_kernel()
 {
   typedef CGAL::Simple_cartesian<double> S;
-  const auto field = CGAL::make_surface_metric_field_2(CGAL::Parametric_torus_3<S>(3, 1), [](const S::Point_3&) { return 2.; });
+  const auto field = CGAL::make_surface_metric_field_2(CGAL::Anisotropic_mesh_2::Parametric_torus_3<S>(3, 1), [](const S::Point_3&) { return 2.; });
   CHECK(std::abs(field(S::Point_2(0, 0)).m11() - 4) < 1e-14);
 }
 
@@ -277,9 +277,9 @@ void test_other_kernel()
 int main()
 {
   test_rectangles();
-  test_derivatives(CGAL::Parametric_torus_3<K>(3, 1));
-  test_derivatives(CGAL::Parametric_ellipsoid_3<K>(3, 2, 1));
-  test_derivatives(CGAL::Quadratic_graph_surface_3<K>(2, -4, rectangle(-1, 2, -1, 1)));
+  test_derivatives(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(3, 1));
+  test_derivatives(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(3, 2, 1));
+  test_derivatives(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(2, -4, rectangle(-1, 2, -1, 1)));
   test_periods();
   test_induced_metrics();
   test_tensors();

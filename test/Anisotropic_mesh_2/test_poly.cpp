@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Reading and writing of .poly files, and each kind of malformed file with its message.
 
@@ -10,7 +10,7 @@
 #include "include/equal_graphs.h"
 #include "include/scratch_directory.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/poly.h>
+#include <CGAL/Anisotropic_mesh_2/IO/POLY.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
@@ -25,7 +25,7 @@ typedef CGAL::Mesh_io_exception                                         Bad;
 
 void test_reading(const std::string& data)
 {
-  const Graph ring = CGAL::IO::read_poly<Kernel>(data + "/ring.poly");
+  const Graph ring = CGAL::IO::read_POLY<Kernel>(data + "/ring.poly");
   CHECK(ring.points.size() == 8 && ring.points[2] == Point(9, 9) && ring.points[7] == Point(3, 6));
   CHECK(ring.point_references == std::vector<int>({1, 1, 1, 1, 2, 2, 2, 2}));
   CHECK(ring.edges.size() == 9);
@@ -36,19 +36,19 @@ void test_reading(const std::string& data)
   CHECK(ring.regions.back().reference == 4);
   CHECK(ring.triangles.empty());
 
-  const Graph split = CGAL::IO::read_poly<Kernel>(data + "/split.poly"); // with split.node
+  const Graph split = CGAL::IO::read_POLY<Kernel>(data + "/split.poly"); // with split.node
   CHECK(split.points == std::vector<Point>({Point(0, 0), Point(2, 0), Point(0, 2)}));
   CHECK(split.edges.size() == 3 && split.edges[2].source == 2 && split.edges[2].target == 0);
 }
 
 void test_round_trip(const std::string& data, const Scratch_directory& scratch)
 {
-  Graph g = CGAL::IO::read_poly<Kernel>(data + "/ring.poly");
+  Graph g = CGAL::IO::read_POLY<Kernel>(data + "/ring.poly");
   g.points[0] = Point(-1. / 3, 1e-300 / 7);
-  CGAL::IO::write_poly(scratch / "again.poly", g);
-  CHECK(are_equal(g, CGAL::IO::read_poly<Kernel>(scratch / "again.poly")));
-  CGAL::IO::write_poly(scratch / "split_again.poly", CGAL::IO::read_poly<Kernel>(data + "/split.poly"));
-  CHECK(CGAL::IO::read_poly<Kernel>(scratch / "split_again.poly").points.size() == 3);
+  CGAL::IO::write_POLY(scratch / "again.poly", g);
+  CHECK(are_equal(g, CGAL::IO::read_POLY<Kernel>(scratch / "again.poly")));
+  CGAL::IO::write_POLY(scratch / "split_again.poly", CGAL::IO::read_POLY<Kernel>(data + "/split.poly"));
+  CHECK(CGAL::IO::read_POLY<Kernel>(scratch / "split_again.poly").points.size() == 3);
 }
 
 void test_malformed_files(const Scratch_directory& scratch)
@@ -89,23 +89,23 @@ void test_malformed_files(const Scratch_directory& scratch)
     {segments + "0\n0\nmore\n", ":11: expected the end of the file, found 'more'"}};
   for(const auto& c : cases) {
     const std::string file = scratch.file("bad.poly", c.first);
-    CHECK_THROWS(CGAL::IO::read_poly<Kernel>(file), Bad, c.second);
-    CHECK_THROWS(CGAL::IO::read_poly<Kernel>(file), Bad, file + ":");
+    CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(file), Bad, c.second);
+    CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(file), Bad, file + ":");
   }
 }
 
 void test_node_files(const Scratch_directory& scratch)
 {
-  CHECK_THROWS(CGAL::IO::read_poly<Kernel>(scratch / "none.poly"), Bad, "none.poly: there is no such file");
+  CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(scratch / "none.poly"), Bad, "none.poly: there is no such file");
   const std::string poly = scratch.file("alone.poly", "0 2 0 0\n0 0\n0\n");
-  CHECK_THROWS(CGAL::IO::read_poly<Kernel>(poly), Bad, "alone.node: there is no such file");
+  CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(poly), Bad, "alone.node: there is no such file");
   scratch.file("alone.node", "0 2 0 0\n");
-  CHECK_THROWS(CGAL::IO::read_poly<Kernel>(poly), Bad, "alone.node: the file announces no vertices");
+  CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(poly), Bad, "alone.node: the file announces no vertices");
   scratch.file("alone.node", "1 2 0 0\n1 0 zero\n");
-  CHECK_THROWS(CGAL::IO::read_poly<Kernel>(poly), Bad, "alone.node:2: vertex 1 of 1: expected the y coordinate");
+  CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(poly), Bad, "alone.node:2: vertex 1 of 1: expected the y coordinate");
   scratch.file("alone.node", "1 2 0 0\n1 0 0\n2 1 1\n");
-  CHECK_THROWS(CGAL::IO::read_poly<Kernel>(poly), Bad, "alone.node:3: expected the end of the file");
-  CHECK_THROWS(CGAL::IO::read_poly<Kernel>(scratch.file("only.node", "0 2 0 0\n")), Bad,
+  CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(poly), Bad, "alone.node:3: expected the end of the file");
+  CHECK_THROWS(CGAL::IO::read_POLY<Kernel>(scratch.file("only.node", "0 2 0 0\n")), Bad,
                "the file announces no vertices");
 }
 
@@ -118,7 +118,7 @@ void test_truncated_files(const std::string& data, const Scratch_directory& scra
   for(std::size_t size = 0; size < text.size(); ++size) {
     bool refused = false;
     try {
-      CGAL::IO::read_poly<Kernel>(scratch.file("cut.poly", text.substr(0, size)));
+      CGAL::IO::read_POLY<Kernel>(scratch.file("cut.poly", text.substr(0, size)));
     }
     catch(const Bad&) {
       refused = true;

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Vertices that go and move: random sequences of operations keep the strictest
 // validity, and equality with CGAL's triangulation where the metric is flat.
@@ -355,7 +355,7 @@ void test_refused_moves()
     t.insert(Point(10 * (i % 3), 10 * (i / 3)));
   const auto edges = all_edges(t);
   const auto v = vertex_at(t, 10, 10);
-  CHECK_THROWS(t.move_if_no_collision(v, Point(35, 3)), CGAL::Invalid_metric_tensor_exception, "(35, 3)");
+  CHECK_THROWS(t.move_if_no_collision(v, Point(35, 3)), CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "(35, 3)");
   CHECK(all_edges(t) == edges && t.is_valid(true, 2) && v->point() == Point(10, 10));
 }
 
@@ -397,7 +397,7 @@ typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits<Epick> > Mesh;
 Mesh two_halves()
 {
   Mesh mesh{Traits<Epick>(field_of<Epick>(rotating))};
-  Mesh::Boundary_mesh boundary;
+  Mesh::Boundary_graph boundary;
   boundary.points = {Point(0, 0), Point(4, 0), Point(8, 0), Point(8, 8), Point(4, 8), Point(0, 8)};
   for(std::size_t i = 0; i < 6; ++i)
     boundary.segments.push_back({i, (i + 1) % 6, 10 + int(i), true});

@@ -13,7 +13,7 @@
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 
 #include <algorithm>
@@ -97,13 +97,13 @@ private:
     else if(kind == 3) // a slit
       m_domain.add_polygon(std::vector<Point>{at(-0.3, 0), at(0.3, 0), at(0, exponential(1e-6, 1e-2))}, 2);
     else if(kind == 4) { // inner curves
-      m_domain.add_constraint(CGAL::Curve_piece_2<K>::segment(at(-0.3, -0.2), at(0.3, 0.1), 3));
-      m_domain.add_constraint(CGAL::Curve_piece_2<K>::arc(at(0, 0.2), 0.15 * m_scale, 0.1, 3, 4));
+      m_domain.add_constraint(CGAL::Anisotropic_mesh_2::Curve_piece_2<K>::segment(at(-0.3, -0.2), at(0.3, 0.1), 3));
+      m_domain.add_constraint(CGAL::Anisotropic_mesh_2::Curve_piece_2<K>::arc(at(0, 0.2), 0.15 * m_scale, 0.1, 3, 4));
     }
     else if(kind == 6) { // slits: inner curves that meet, and end near to another one
       for(int i = 0; i < 5; ++i)
-        m_domain.add_constraint(CGAL::Curve_piece_2<K>::segment(at(0, 0), at(0.4 * std::cos(i), 0.4 * std::sin(i)), i));
-      m_domain.add_constraint(CGAL::Curve_piece_2<K>::segment(at(0.1, exponential(1e-6, 1e-2)), at(0.3, 0.1), 9));
+        m_domain.add_constraint(CGAL::Anisotropic_mesh_2::Curve_piece_2<K>::segment(at(0, 0), at(0.4 * std::cos(i), 0.4 * std::sin(i)), i));
+      m_domain.add_constraint(CGAL::Anisotropic_mesh_2::Curve_piece_2<K>::segment(at(0.1, exponential(1e-6, 1e-2)), at(0.3, 0.1), 9));
     }
   }
 
@@ -268,7 +268,7 @@ private:
   // topological moves may insert and remove
   void optimize(int iterations)
   {
-    CGAL::acvt_optimize_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(iterations));
+    CGAL::optimize_anisotropic_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(iterations));
     m_vertices = m_mesh.number_of_vertices();
   }
 
@@ -330,7 +330,7 @@ bool run(unsigned int seed)
     Mesh_trial(c, what).run();
     return true;
   }
-  catch(const CGAL::Too_many_vertices_exception&) {
+  catch(const CGAL::Anisotropic_mesh_2::Too_many_vertices_exception&) {
     return false;
   }
   catch(const std::exception& e) {

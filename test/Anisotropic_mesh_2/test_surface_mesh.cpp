@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Meshes of parametric surfaces: topology, quality, seams and poles, and
 // developable surfaces against the plane.
@@ -10,21 +10,21 @@
 #include "include/any_surface.h"
 #include "include/check.h"
 
-#include <CGAL/Callable_surface_3.h>
-#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Anisotropic_mesh_2/Callable_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Isotropic_metric_field_2.h>
-#include <CGAL/Parametric_ellipsoid_3.h>
-#include <CGAL/Parametric_torus_3.h>
+#include <CGAL/Anisotropic_mesh_2/Parametric_ellipsoid_3.h>
+#include <CGAL/Anisotropic_mesh_2/Parametric_torus_3.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Quadratic_graph_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Quadratic_graph_surface_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/acvt_optimize_surface_mesh.h>
-#include <CGAL/anisotropic_surface_statistics.h>
-#include <CGAL/anisotropic_surface_voronoi_regions.h>
-#include <CGAL/make_anisotropic_surface_mesh.h>
+#include <CGAL/optimize_anisotropic_surface_mesh_3.h>
+#include <CGAL/anisotropic_surface_mesh_statistics_3.h>
+#include <CGAL/anisotropic_surface_Voronoi_regions_3.h>
+#include <CGAL/make_anisotropic_surface_mesh_3.h>
 
 #include <algorithm>
 #include <array>
@@ -106,12 +106,12 @@ void check_quality(const Statistics& s, double mean, double least, const std::st
 // The faces that touch the seams of both parameters are as good as the others.
 void test_torus()
 {
-  const auto field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3& p) {
+  const auto field = surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.7), [](const Point_3& p) {
     return 0.1 + 0.2 * std::hypot(std::hypot(p.x(), p.y()) - 2.7, p.z()); // refined at the outer circle
   });
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(field);
   check_closed(mesh, 0, "torus");
-  check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.978, 0.6, "torus");
+  check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), 0.978, 0.6, "torus");
   const auto crosses_seam = [&](const auto& f) {
     for(int i = 0; i < 3; ++i) {
       const Point_2 &p = mesh.parameters(f[i]), &q = mesh.parameters(f[(i + 1) % 3]);
@@ -129,12 +129,12 @@ void test_torus()
 void test_ellipsoid()
 {
   const Point_3 pole(0, 0, 0.8);
-  const auto field = surface_field(CGAL::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), [=](const Point_3& p) {
+  const auto field = surface_field(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), [=](const Point_3& p) {
     return 0.03 + 0.1 * distance(p, pole);
   });
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(field);
   check_closed(mesh, 2, "ellipsoid");
-  check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.984, 0.6, "ellipsoid");
+  check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), 0.984, 0.6, "ellipsoid");
   for(double z : {0.8, -0.8}) {
     const Point_3 p(0, 0, z);
     const double reach = 4 * (0.03 + 0.1 * distance(p, pole)); // four edges around
@@ -149,10 +149,10 @@ void test_ellipsoid()
 void test_sharp_ellipsoids()
 {
   const auto check = [](double a, double b, double c, double size, const std::string& name) {
-    const auto mesh = CGAL::make_anisotropic_surface_mesh
-      (surface_field(CGAL::Parametric_ellipsoid_3<K>(a, b, c), [=](const Point_3&) { return size; }));
+    const auto mesh = CGAL::make_anisotropic_surface_mesh_3
+      (surface_field(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(a, b, c), [=](const Point_3&) { return size; }));
     check_closed(mesh, 2, name);
-    const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+    const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
     CHECK_MSG(s.quality_mean > 0.98 && s.quality_min > 0.55,
               name + ": " + std::to_string(s.quality_mean) + ", " + std::to_string(s.quality_min));
     CHECK_MSG(s.energy_ratio > 0.97 && s.energy_ratio < 1.05, name + ": " + std::to_string(s.energy_ratio));
@@ -166,25 +166,25 @@ void test_sharp_ellipsoids()
 void test_figures_of_coarse_meshes()
 {
   const auto check = [](const auto& surface, double size, int characteristic, double distance, const std::string& name) {
-    const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field(surface, [=](const Point_3&) { return size; }));
+    const auto mesh = CGAL::make_anisotropic_surface_mesh_3(surface_field(surface, [=](const Point_3&) { return size; }));
     check_closed(mesh, characteristic, name);
-    const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+    const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
     CHECK_MSG(s.distance_max < distance, name + ": " + std::to_string(s.distance_max));
     CHECK_MSG(s.energy_ratio > 0.97 && s.energy_ratio < 1.3, name + ": " + std::to_string(s.energy_ratio));
   };
-  check(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), 5, 2, 1, "coarse sphere"); // the centre is as far as can be
-  check(CGAL::Parametric_torus_3<K>(2, 0.5), 0.8, 0, 0.5, "coarse torus");
+  check(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(1, 1, 1), 5, 2, 1, "coarse sphere"); // the centre is as far as can be
+  check(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.5), 0.8, 0, 0.5, "coarse torus");
 }
 
 // Sizes beyond the radius of curvature cannot be had; the figures say so, and are numbers.
 void test_sizes_beyond_curvature()
 {
-  const auto mesh = CGAL::make_anisotropic_surface_mesh
-    (surface_field(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) {
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3
+    (surface_field(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) {
       return CGAL::Metric_tensor_3<K>::from_sizes(1, 1, 0.04);
     }));
   CHECK(CGAL::is_closed(in_space(mesh)) && euler_characteristic(in_space(mesh)) == 2);
-  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   s.for_each([](const char* name, double value) { CHECK_MSG(std::isfinite(value), name); });
   CHECK(s.edge_length_unit_share < 0.95 && s.normal_deviation_max > CGAL_PI / 2);
 }
@@ -192,25 +192,25 @@ void test_sizes_beyond_curvature()
 // A mesh that is folded in its chart has no tessellation there, but other figures.
 void test_folded_mesh()
 {
-  const auto field = surface_field(CGAL::Quadratic_graph_surface_3<K>(1, 1, square(4)), [](const Point_3&) { return 1; });
+  const auto field = surface_field(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(1, 1, square(4)), [](const Point_3&) { return 1; });
   CGAL::Anisotropic_surface_mesh_3<std::decay_t<decltype(field)> > mesh(field);
   for(const Point_2& p : {Point_2(0, 0), Point_2(1, 0), Point_2(0, 1), Point_2(0.1, -0.5), Point_2(0.5, 1), Point_2(-0.5, 1)})
     mesh.add_vertex(p);
   mesh.add_face({0, 1, 2});
   mesh.add_face({3, 4, 5});
   mesh.add_face({0, 0, 0});
-  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   CHECK(s.triangles == 3 && s.quality_mean > 0.1 && s.quality_min == 0);
   s.for_each([](const char* name, double value) { CHECK_MSG(std::isfinite(value), name); });
 }
 
 void test_curvature_of_ellipsoid()
 {
-  typedef CGAL::Parametric_ellipsoid_3<K> Ellipsoid;
-  const auto mesh = CGAL::make_anisotropic_surface_mesh
-    (surface_field(Ellipsoid(2, 1.2, 0.8), CGAL::Curvature_metric_3<Ellipsoid>(0.01, 0.01, 1)));
+  typedef CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K> Ellipsoid;
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3
+    (surface_field(Ellipsoid(2, 1.2, 0.8), CGAL::Anisotropic_mesh_2::Curvature_metric_3<Ellipsoid>(0.01, 0.01, 1)));
   check_closed(mesh, 2, "ellipsoid, curvature");
-  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   check_quality(s, 0.97, 0.6, "ellipsoid, curvature");
   CHECK(s.distance_max < 2 * 0.01 * 4 / 0.8); // twice the chord error of the largest radius of curvature
 }
@@ -222,7 +222,7 @@ void check_gradient(const Surface& surface, const std::string& name)
 {
   const auto field = surface_field(surface, [](const Point_3& p) { return 0.15 + 0.1 * std::abs(p.z()); });
   const auto gradient = [&](int iterations) {
-    return CGAL::anisotropic_surface_statistics(CGAL::make_anisotropic_surface_mesh
+    return CGAL::anisotropic_surface_mesh_statistics_3(CGAL::make_anisotropic_surface_mesh_3
       (field, np::topological_moves(false).number_of_iterations(iterations))).gradient_norm;
   };
   const double before = gradient(0), after = gradient(300);
@@ -232,18 +232,18 @@ void check_gradient(const Surface& surface, const std::string& name)
 
 void test_gradient()
 {
-  check_gradient(CGAL::Parametric_torus_3<K>(2, 0.7), "torus");
-  check_gradient(CGAL::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), "ellipsoid");
-  check_gradient(CGAL::Quadratic_graph_surface_3<K>(1, 1, square(2)), "paraboloid");
+  check_gradient(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.7), "torus");
+  check_gradient(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(2, 1.2, 0.8), "ellipsoid");
+  check_gradient(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(1, 1, square(2)), "paraboloid");
 }
 
 // On a sphere the area of the regions is known, and each place is like any other.
 void test_tessellation_of_sphere()
 {
-  const auto mesh = CGAL::make_anisotropic_surface_mesh
-    (surface_field(CGAL::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) { return 0.25; }));
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3
+    (surface_field(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>(1, 1, 1), [](const Point_3&) { return 0.25; }));
   check_closed(mesh, 2, "sphere");
-  const auto regions = CGAL::anisotropic_surface_voronoi_regions(mesh);
+  const auto regions = CGAL::anisotropic_surface_Voronoi_regions_3(mesh);
   CHECK(regions.size() == mesh.number_of_vertices());
   double sum = 0, mean = 4 * CGAL_PI / double(regions.size());
   for(std::size_t v = 0; v < regions.size(); ++v) {
@@ -263,19 +263,19 @@ void test_tessellation_of_sphere()
 
 void test_paper_surfaces()
 {
-  typedef CGAL::Quadratic_graph_surface_3<K> Graph;
+  typedef CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> Graph;
   const auto check = [](const auto& mesh, double mean, double least, const std::string& name) {
     const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
     CHECK_MSG(euler_characteristic(m) == 1 && !PMP::does_self_intersect(m), name);
-    check_quality(CGAL::anisotropic_surface_statistics(mesh), mean, least, name);
+    check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), mean, least, name);
   };
-  check(CGAL::make_anisotropic_surface_mesh(surface_field
+  check(CGAL::make_anisotropic_surface_mesh_3(surface_field
     (Graph(1, 1, square(2)), [](const Point_3& p) { return 0.06 + 0.15 * std::abs(p.y()); })), 0.979, 0.6, "paraboloid");
-  check(CGAL::make_anisotropic_surface_mesh(surface_field
+  check(CGAL::make_anisotropic_surface_mesh_3(surface_field
     (Graph(2, -4, square(1)), [](const Point_3&) { return CGAL::Metric_tensor_3<K>::from_sizes(0.04, 0.4, 0.04); })),
         0.971, 0.55, "saddle, sizes");
-  check(CGAL::make_anisotropic_surface_mesh(surface_field
-    (Graph(2, -4, square(2)), CGAL::Curvature_metric_3<Graph>(0.001, 0.005, 1))), 0.968, 0.55, "saddle, curvature");
+  check(CGAL::make_anisotropic_surface_mesh_3(surface_field
+    (Graph(2, -4, square(2)), CGAL::Anisotropic_mesh_2::Curvature_metric_3<Graph>(0.001, 0.005, 1))), 0.968, 0.55, "saddle, curvature");
 }
 
 // A cylinder and a cone, unrolled, are parts of the plane: with an isotropic
@@ -284,10 +284,10 @@ template <class Surface, class Map>
 void check_developable(const Surface& surface, const Map& unroll, const std::string& name)
 {
   const double size = 0.06;
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field(surface, [=](const Point_3&) {
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(surface_field(surface, [=](const Point_3&) {
     return size;
   }));
-  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   check_quality(s, 0.985, 0.8, name);
   double sum = 0, least = 1, longest = 0, shortest = 10;
   for(const auto& f : mesh.faces()) {
@@ -295,10 +295,10 @@ void check_developable(const Surface& surface, const Map& unroll, const std::str
     const auto m = CGAL::Anisotropic_mesh_2::internal::Symmetric_form(1 / (size*size), 0, 1 / (size*size));
     const double quality = CGAL::Anisotropic_mesh_2::internal::metric_quality(p, q, r, m);
     sum += quality;
-    least = std::min(least, quality);
+    least = (std::min)(least, quality);
     for(const auto& e : {q - p, r - q, p - r}) {
-      longest = std::max(longest, std::sqrt(e.squared_length()) / size);
-      shortest = std::min(shortest, std::sqrt(e.squared_length()) / size);
+      longest = (std::max)(longest, std::sqrt(e.squared_length()) / size);
+      shortest = (std::min)(shortest, std::sqrt(e.squared_length()) / size);
     }
   }
   CHECK_MSG(std::abs(sum / double(mesh.number_of_faces()) - s.quality_mean) < 2e-3, name);
@@ -327,13 +327,13 @@ void test_plane()
 {
   const Rectangle r;
   const auto size = [](double x, double y) { return 0.05 + 0.1 * x * y; };
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field
-    (CGAL::Quadratic_graph_surface_3<K>(0, 0, r), [&](const Point_3& p) { return size(p.x(), p.y()); }));
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(surface_field
+    (CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(0, 0, r), [&](const Point_3& p) { return size(p.x(), p.y()); }));
   CGAL::Anisotropic_mesh_domain_2<K> domain;
   domain.add_polygon(std::vector<Point_2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   auto planar = CGAL::make_anisotropic_mesh_2
     (domain, CGAL::make_isotropic_metric_field_2<K>([&](const Point_2& p) { return size(p.x(), p.y()); }));
-  CGAL::acvt_optimize_mesh_2(planar);
+  CGAL::optimize_anisotropic_mesh_2(planar);
   CHECK(mesh.number_of_vertices() == planar.number_of_vertices());
   std::vector<Point_2> on_surface, in_plane(planar.points_begin(), planar.points_end());
   for(std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
@@ -341,7 +341,7 @@ void test_plane()
   std::sort(on_surface.begin(), on_surface.end());
   std::sort(in_plane.begin(), in_plane.end());
   CHECK(on_surface == in_plane);
-  const Statistics s = CGAL::anisotropic_surface_statistics(mesh);
+  const Statistics s = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   const auto t = CGAL::anisotropic_mesh_statistics_2(planar);
   CHECK(std::abs(s.quality_mean - t.quality_mean) < 1e-12 && std::abs(s.quality_min3_min - t.quality_min3_min) < 1e-12);
   CHECK(std::abs(s.energy / t.energy - 1) < 1e-6 && std::abs(s.ideal_vertices / t.ideal_vertices - 1) < 1e-6);
@@ -357,7 +357,7 @@ void test_tube()
   Rectangle r;
   r.u_max = 2 * CGAL_PI;
   r.u_is_periodic = true;
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(surface_field
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(surface_field
     (CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(std::cos(p.x()), std::sin(p.x()), p.y()); }, r),
      [](const Point_3&) { return 0.15; }));
   const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
@@ -370,7 +370,7 @@ void test_tube()
       ++ends;
     }
   CHECK(ends == 2 * 42); // the circumference is 41.9 sizes
-  check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.985, 0.8, "tube");
+  check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), 0.985, 0.8, "tube");
 }
 
 struct Obeying_visitor
@@ -384,12 +384,12 @@ struct Obeying_visitor
 void test_optimizer()
 {
   const auto optimize = [](auto& mesh, int iterations, double seconds = 0, bool goes_on = true) {
-    return CGAL::acvt_optimize_surface_mesh(mesh, CGAL::parameters::number_of_iterations(iterations)
+    return CGAL::optimize_anisotropic_surface_mesh_3(mesh, CGAL::parameters::number_of_iterations(iterations)
                                                     .maximum_running_time(seconds).visitor(Obeying_visitor{goes_on}));
   };
   const auto size = [](const Point_3& q) { return 0.15 + 0.05 * q.y(); };
   const auto check = [&](const Any_surface_field& field, const std::string& name) {
-    const auto start = CGAL::make_anisotropic_surface_mesh
+    const auto start = CGAL::make_anisotropic_surface_mesh_3
       (field, np::topological_moves(false).number_of_iterations(0));
     auto mesh = start;
     CHECK_MSG(optimize(mesh, 100, 1e-9) == CGAL::TIME_LIMIT_REACHED, name);
@@ -397,12 +397,12 @@ void test_optimizer()
     CHECK_MSG(optimize(mesh, 2) == CGAL::MAX_ITERATION_NUMBER_REACHED, name);
     const auto code = optimize(mesh, 100);
     CHECK_MSG(code == CGAL::CANT_IMPROVE_ANYMORE || code == CGAL::CONVERGENCE_REACHED, name + std::to_string(code));
-    const Statistics before = CGAL::anisotropic_surface_statistics(start), after = CGAL::anisotropic_surface_statistics(mesh);
+    const Statistics before = CGAL::anisotropic_surface_mesh_statistics_3(start), after = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
     CHECK_MSG(after.energy < 0.99 * before.energy, name + std::to_string(after.energy / before.energy));
     check_quality(after, 0.98, 0.8, name);
   };
-  check(surface_field(CGAL::Parametric_torus_3<K>(1, 0.5), size), "torus, optimized");
-  check(surface_field(CGAL::Quadratic_graph_surface_3<K>(0.5, 0.5, square(3)), size), "graph, optimized");
+  check(surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(1, 0.5), size), "torus, optimized");
+  check(surface_field(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(0.5, 0.5, square(3)), size), "graph, optimized");
 }
 
 // However large the sizes, the mesh is closed or refused: no edge may lead around
@@ -412,13 +412,13 @@ void test_coarse_meshes()
   int closed = 0, refused = 0;
   for(double size : {0.5, 0.7, 0.9, 1.2, 1.6, 2.2, 3., 10.})
     try {
-      check_closed(CGAL::make_anisotropic_surface_mesh
-                     (surface_field(CGAL::Parametric_torus_3<K>(2, 0.9), [=](const Point_3&) {
+      check_closed(CGAL::make_anisotropic_surface_mesh_3
+                     (surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.9), [=](const Point_3&) {
                        return size;
                      })), 0, "torus of size " + std::to_string(size));
       ++closed;
     }
-    catch(const CGAL::Invalid_domain_exception& e) {
+    catch(const CGAL::Anisotropic_mesh_2::Invalid_domain_exception& e) {
       CHECK(std::string(e.what()).find("the sizes are too large") != std::string::npos);
       ++refused;
     }
@@ -429,20 +429,20 @@ void test_coarse_meshes()
 // seam has its region.
 void test_part_on_both_sides_of_seam()
 {
-  const auto field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
+  const auto field = surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
   for(const std::array<double, 2>& part : {std::array<double, 2>{0, 1}, {0, 2 * CGAL_PI}, {1.1, 1}}) {
     const double u = part[0], height = part[1];
     CGAL::Anisotropic_mesh_domain_2<K> domain;
     domain.add_polygon(std::vector<Point_2>{Point_2(u, 0), Point_2(u + 2 * CGAL_PI, 0),
                                             Point_2(u + 2 * CGAL_PI, height), Point_2(u, height)});
-    auto mesh = CGAL::make_anisotropic_surface_mesh(domain, field);
+    auto mesh = CGAL::make_anisotropic_surface_mesh_3(domain, field);
     const std::size_t vertices = mesh.number_of_vertices(), faces = mesh.number_of_faces();
-    CGAL::acvt_optimize_surface_mesh(mesh, np::topological_moves(false));
+    CGAL::optimize_anisotropic_surface_mesh_3(mesh, np::topological_moves(false));
     CHECK(mesh.number_of_vertices() == vertices && mesh.number_of_faces() == faces);
     CHECK(euler_characteristic(in_space(mesh)) == 1);
-    check_quality(CGAL::anisotropic_surface_statistics(mesh), 0.96, 0.6, "part of a torus");
+    check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), 0.96, 0.6, "part of a torus");
     if(height == 1)
-      for(const auto& r : CGAL::anisotropic_surface_voronoi_regions(mesh))
+      for(const auto& r : CGAL::anisotropic_surface_Voronoi_regions_3(mesh))
         CHECK(std::abs(mesh.parameters(r.vertex).x() - u) < 0.2 || !r.tiles.empty()); // an edge of length 0.3 there
   }
 }
@@ -456,19 +456,19 @@ void test_strict_surface()
       ++outside;
     return Point_3(p.x(), p.y(), -p.x() * p.x() - p.y() * p.y());
   };
-  const auto mesh = CGAL::make_anisotropic_surface_mesh
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3
     (surface_field(CGAL::make_callable_surface_3<K>(strict, Rectangle()), [](const Point_3&) { return 0.2; }));
-  CHECK(CGAL::anisotropic_surface_statistics(mesh).distance_max < 0.02);
-  CHECK(CGAL::anisotropic_surface_voronoi_regions(mesh).size() == mesh.number_of_vertices());
+  CHECK(CGAL::anisotropic_surface_mesh_statistics_3(mesh).distance_max < 0.02);
+  CHECK(CGAL::anisotropic_surface_Voronoi_regions_3(mesh).size() == mesh.number_of_vertices());
   CHECK_MSG(outside == 0, std::to_string(outside) + " calls");
 }
 
 void test_no_iterations()
 {
-  const auto field = surface_field(CGAL::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
-  auto mesh = CGAL::make_anisotropic_surface_mesh(field, CGAL::parameters::number_of_iterations(0));
+  const auto field = surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
+  auto mesh = CGAL::make_anisotropic_surface_mesh_3(field, CGAL::parameters::number_of_iterations(0));
   const auto faces = mesh.faces();
-  CHECK(CGAL::acvt_optimize_surface_mesh(mesh, CGAL::parameters::number_of_iterations(0))
+  CHECK(CGAL::optimize_anisotropic_surface_mesh_3(mesh, CGAL::parameters::number_of_iterations(0))
         == CGAL::MAX_ITERATION_NUMBER_REACHED);
   CHECK(mesh.faces() == faces);
 }
@@ -480,7 +480,7 @@ void test_refusals_of_rectangles()
       return std::array<K::Vector_3, 2>{K::Vector_3(1, 0, 0), K::Vector_3(0, 1, 0)};
     }};
     const Any_surface_field field(plane, [](const Any_surface&, const Point_2&) { return CGAL::Metric_tensor_3<K>(); });
-    CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(field), CGAL::Invalid_domain_exception, text);
+    CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(field), CGAL::Anisotropic_mesh_2::Invalid_domain_exception, text);
   };
   refuses({1, -1, 0, 1}, "the rectangle [1, -1] x [0, 1] of the parameters of the surface is not valid");
   refuses({0, 1, 0, std::nan("")}, "the rectangle [0, 1] x [0, nan]");
@@ -493,18 +493,18 @@ void test_refusals()
 {
   const auto unit = [](const Point_3&) { return 0.2; };
   const auto folded = [](const Point_2& p) { return Point_3(p.x() * p.x(), p.y(), 0); };
-  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(surface_field
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(surface_field
                  (CGAL::make_callable_surface_3<K>(folded, Rectangle()), unit)),
-               CGAL::Degenerate_parametrization_exception, "the derivative of the surface by u is zero at the point (0, ");
+               CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, "the derivative of the surface by u is zero at the point (0, ");
   Rectangle r;
   r.u_is_periodic = r.v_is_periodic = true;
   const auto broken = [](const Point_2& p) { return Point_3(std::log(p.x() - 0.5), p.y(), 0); };
-  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(surface_field
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(surface_field
                  (CGAL::make_callable_surface_3<K>(broken, r), unit)),
-               CGAL::Degenerate_parametrization_exception, "of the parameters (u, v)");
-  const auto tiny = surface_field(CGAL::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return 1e-5; });
-  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh(tiny, np::maximum_number_of_vertices(1000)),
-               CGAL::Too_many_vertices_exception, "1000");
+               CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, "of the parameters (u, v)");
+  const auto tiny = surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return 1e-5; });
+  CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(tiny, np::maximum_number_of_vertices(1000)),
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "1000");
 }
 
 } // namespace

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // Pictures: well-formed, small, complete, the same each time.
 
@@ -11,7 +11,7 @@
 #include "include/scratch_directory.h"
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
@@ -164,7 +164,7 @@ void test_small_mesh()
 void test_quality()
 {
   const Marked_cdt cdt = marked_rectangle(100);
-  const auto quality = [](Marked_cdt::Face_handle f) { return std::min(1., f->vertex(0)->point().x() / 4); };
+  const auto quality = [](Marked_cdt::Face_handle f) { return (std::min)(1., f->vertex(0)->point().x() / 4); };
   const Picture picture(drawn(cdt, "coloured", quality));
   CHECK(picture.contains(">quality</text>"));
   CHECK(picture.contains("quality: mean "));
@@ -215,7 +215,7 @@ void test_degenerate_pictures()
 Mesh grid(int n)
 {
   Mesh mesh{Traits(CGAL::Constant_metric_field_2<Kernel>(Tensor()))};
-  Mesh::Boundary_mesh square;
+  Mesh::Boundary_graph square;
   square.points = {Kernel::Point_2(0, 0), Kernel::Point_2(n, 0), Kernel::Point_2(n, n), Kernel::Point_2(0, n)};
   for(std::size_t i = 0; i < 4; ++i)
     square.segments.push_back({i, (i + 1) % 4, 1, true});

@@ -4,11 +4,11 @@
 #include "meshes.h"
 #include "voronoi_diagrams.h"
 
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/parallel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 
 #include <cmath>
 #include <cstddef>
@@ -56,7 +56,7 @@ void test_optimizers(const Case& c)
   const Mesh start = CGAL::make_anisotropic_mesh_2
     (c.domain, c.field, np::point_placement(CGAL::Anisotropic_mesh_2::Point_placement::EDGE_SUBDIVISION));
   test_same_bits(c.name + " by the quasi-Newton method", start, [](Mesh& mesh, auto tag) {
-    CGAL::acvt_optimize_mesh_2<decltype(tag)>(mesh, CGAL::parameters::number_of_iterations(12));
+    CGAL::optimize_anisotropic_mesh_2<decltype(tag)>(mesh, CGAL::parameters::number_of_iterations(12));
     return CGAL::anisotropic_mesh_statistics_2<decltype(tag)>(mesh).energy;
   });
   test_same_bits(c.name + " by Lloyd's iteration", start, [](Mesh& mesh, auto tag) {

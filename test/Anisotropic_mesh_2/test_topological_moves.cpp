@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // The topological moves at the end of an optimization: they better the shape of
 // faces and leave alone what they must.
@@ -11,11 +11,11 @@
 #include "meshes.h"
 #include "Random_numbers.h"
 
-#include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/Mesh_improver.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Quality_improver.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@
 #include <vector>
 
 using CGAL::Anisotropic_mesh_2::Mesh_statistics;
-using CGAL::Anisotropic_mesh_2::internal::Mesh_improver;
+using CGAL::Anisotropic_mesh_2::internal::Quality_improver;
 using CGAL::Anisotropic_mesh_2::internal::Mesh_patch;
 using CGAL::Anisotropic_mesh_2::internal::Patch_flipper;
 using CGAL::Anisotropic_mesh_2::internal::Patch_writer;
@@ -145,9 +145,9 @@ void test_case(const Case& c)
 {
   const Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh without = mesh, with = mesh, again = mesh;
-  CGAL::acvt_optimize_mesh_2(without, np::topological_moves(false).number_of_iterations(40));
-  CGAL::acvt_optimize_mesh_2(with, CGAL::parameters::number_of_iterations(40));
-  CGAL::acvt_optimize_mesh_2(again, np::topological_moves(true).number_of_iterations(40));
+  CGAL::optimize_anisotropic_mesh_2(without, np::topological_moves(false).number_of_iterations(40));
+  CGAL::optimize_anisotropic_mesh_2(with, CGAL::parameters::number_of_iterations(40));
+  CGAL::optimize_anisotropic_mesh_2(again, np::topological_moves(true).number_of_iterations(40));
 
   CHECK(without.number_of_vertices() == mesh.number_of_vertices());
   check_untouched(c.name, without, with, is_constant(c) ? 2 : 1);
@@ -167,7 +167,7 @@ void test_rough_metric()
 {
   const Case c = paper_cases()[3];
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  CGAL::acvt_optimize_mesh_2(mesh);
+  CGAL::optimize_anisotropic_mesh_2(mesh);
   const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(mesh);
   CHECK_MSG(s.quality_mean > 0.9 && s.quality_min > 0.75 && s.edge_length_unit_share > 0.999,
             std::to_string(s.quality_mean) + ", " + std::to_string(s.quality_min));
@@ -180,7 +180,7 @@ Mesh lattice(int n)
 {
   const Field field = [](const Point&) { return Tensor::from_entries(4, 0, 1); };
   Mesh mesh{CGAL::Riemannian_metric_traits_2<K, Field>(field)};
-  Mesh::Boundary_mesh boundary;
+  Mesh::Boundary_graph boundary;
   std::vector<Point> inner;
   const auto at = [](int i, int j) { return Point((i + j / 2.) / 2, j * std::sqrt(0.75)); };
   const int direction[6][2] = {{-1, 1}, {-1, 0}, {0, -1}, {1, -1}, {1, 0}, {0, 1}};
@@ -206,7 +206,7 @@ double least_quality(const Mesh& mesh)
   for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f) {
     const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
     if(f->is_in_domain())
-      least = std::min(least, metric_quality(a, b, c, Symmetric_form(tensor(CGAL::centroid(a, b, c)))));
+      least = (std::min)(least, metric_quality(a, b, c, Symmetric_form(tensor(CGAL::centroid(a, b, c)))));
   }
   return least;
 }
@@ -229,7 +229,7 @@ void check_mended(Mesh& mesh, std::size_t vertices, const std::string& name)
 {
   const Mesh before = mesh;
   const double least = least_quality(before);
-  Mesh_improver<Mesh>{mesh}();
+  Quality_improver<Mesh>{mesh}();
   check_untouched(name, before, mesh, 2);
   CHECK_MSG(least < 0.8 && least_quality(mesh) > 0.88,
             name + ": " + std::to_string(least) + ", " + std::to_string(least_quality(mesh)));
@@ -242,7 +242,7 @@ void test_planted_defects()
   const std::size_t n = regular.number_of_vertices();
   CHECK(n == 127 && least_quality(regular) > 1 - 1e-9);
   Mesh mesh = regular;
-  Mesh_improver<Mesh>{mesh}();
+  Quality_improver<Mesh>{mesh}();
   CHECK(faces_of(mesh) == faces_of(regular)); // nothing is bad, nothing is touched
 
   mesh.remove(vertex_near(mesh, 0.25, 0.9));
@@ -337,7 +337,7 @@ void test_random_points()
     for(const Mesh::Vertex_handle v : inner)
       CHECK(mesh.move_if_no_collision(v, Point(random.real(0.01, 0.99), random.real(0.01, 0.99))) == v);
     const Mesh before = mesh;
-    Mesh_improver<Mesh>{mesh}();
+    Quality_improver<Mesh>{mesh}();
     check_untouched("random points", before, mesh, 2);
     CHECK(faces_of(mesh) != faces_of(before) && least_quality(mesh) >= least_quality(before));
     CHECK(edges_outside_of_unit_band(mesh) < edges_outside_of_unit_band(before));
@@ -349,7 +349,7 @@ void test_random_points()
 // fails at its n-th evaluation from now on, and counts them
 struct Failing_field
 {
-  struct State { long left = std::numeric_limits<long>::max(), done = 0; };
+  struct State { long left = (std::numeric_limits<long>::max)(), done = 0; };
 
   std::shared_ptr<State> state;
   Field field;
@@ -358,7 +358,7 @@ struct Failing_field
   {
     ++state->done;
     if(state->left-- <= 0)
-      throw CGAL::Invalid_metric_tensor_exception("no value");
+      throw CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception("no value");
     return field(p);
   }
 };
@@ -368,18 +368,18 @@ void test_failing_field()
   const Case c = paper_cases()[3];
   const auto state = std::make_shared<Failing_field::State>();
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, Field(Failing_field{state, c.field}));
-  CGAL::acvt_optimize_mesh_2(mesh, np::topological_moves(false).number_of_iterations(5));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::topological_moves(false).number_of_iterations(5));
   int failures = 0;
   for(long n = 1000; n < 300000; n *= 3) {
     Mesh copy = mesh;
     state->left = n;
     try {
-      Mesh_improver<Mesh>{copy}();
+      Quality_improver<Mesh>{copy}();
     }
-    catch(const CGAL::Invalid_metric_tensor_exception&) {
+    catch(const CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception&) {
       ++failures;
     }
-    state->left = std::numeric_limits<long>::max();
+    state->left = (std::numeric_limits<long>::max)();
     CHECK(copy.is_valid(true, 1) && std::abs(area_of(copy) - 100) < 1e-9);
     CHECK(least_quality(copy) >= least_quality(mesh));
   }
@@ -394,13 +394,13 @@ void test_random_metric()
   for(int i = 0; i < 1600; ++i)
     tensors.push_back(Tensor::from_sizes(random.real(0.03, 0.1), random.real(0.03, 0.1), random.real(0, 3)));
   const Field field = [&](const Point& p) {
-    return tensors[std::min(int(p.x() * 40), 39) * 40 + std::min(int(p.y() * 40), 39)];
+    return tensors[(std::min)(int(p.x() * 40), 39) * 40 + (std::min)(int(p.y() * 40), 39)];
   };
   const auto state = std::make_shared<Failing_field::State>();
   Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), Field(Failing_field{state, field}));
   const Mesh before = mesh;
   state->done = 0;
-  Mesh_improver<Mesh>{mesh}();
+  Quality_improver<Mesh>{mesh}();
   CHECK_MSG(state->done < 20000 * long(before.number_of_faces()), std::to_string(state->done) + " evaluations for "
             + std::to_string(before.number_of_faces()) + " faces");
   check_untouched("random metric", before, mesh, 1);
@@ -420,17 +420,17 @@ void test_no_moves()
   const Case c = paper_cases()[3];
   const Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh a = mesh, b = mesh, d = mesh;
-  CGAL::acvt_optimize_mesh_2(a, CGAL::parameters::number_of_iterations(0));
+  CGAL::optimize_anisotropic_mesh_2(a, CGAL::parameters::number_of_iterations(0));
   CHECK(faces_of(a) == faces_of(mesh));
-  CHECK(CGAL::acvt_optimize_mesh_2(b, CGAL::parameters::visitor(Stop())) == CGAL::BOUND_REACHED);
-  CGAL::acvt_optimize_mesh_2(d, np::topological_moves(false).number_of_iterations(3));
+  CHECK(CGAL::optimize_anisotropic_mesh_2(b, CGAL::parameters::visitor(Stop())) == CGAL::BOUND_REACHED);
+  CGAL::optimize_anisotropic_mesh_2(d, np::topological_moves(false).number_of_iterations(3));
   CHECK(faces_of(b) == faces_of(d));
 
   using CGAL::Anisotropic_mesh_2::Measure; // moves would raise an energy whose optimum is no unit mesh
   Mesh e = mesh, f = mesh, g = mesh;
-  CGAL::acvt_optimize_mesh_2(e, np::measure(Measure::LEBESGUE).number_of_iterations(3));
-  CGAL::acvt_optimize_mesh_2(f, np::measure(Measure::LEBESGUE, np::topological_moves(false)).number_of_iterations(3));
-  CGAL::acvt_optimize_mesh_2(g, np::measure(Measure::LEBESGUE, np::topological_moves(true)).number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(e, np::measure(Measure::LEBESGUE).number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(f, np::measure(Measure::LEBESGUE, np::topological_moves(false)).number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(g, np::measure(Measure::LEBESGUE, np::topological_moves(true)).number_of_iterations(3));
   CHECK(faces_of(e) == faces_of(f) && faces_of(e) != faces_of(g));
 }
 

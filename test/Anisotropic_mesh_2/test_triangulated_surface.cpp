@@ -5,15 +5,15 @@
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Curvature_metric_3.h>
+#include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Triangulated_surface_3.h>
-#include <CGAL/Vertex_metric_3.h>
-#include <CGAL/anisotropic_surface_statistics.h>
-#include <CGAL/make_anisotropic_surface_mesh.h>
-#include <CGAL/principal_curvatures_3.h>
+#include <CGAL/Anisotropic_mesh_2/Triangulated_surface_3.h>
+#include <CGAL/Anisotropic_mesh_2/Vertex_metric_3.h>
+#include <CGAL/anisotropic_surface_mesh_statistics_3.h>
+#include <CGAL/make_anisotropic_surface_mesh_3.h>
+#include <CGAL/Anisotropic_mesh_2/principal_curvatures_3.h>
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_NR < 1060000000
@@ -36,7 +36,7 @@ using K       = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = K::Point_2;
 using Point_3 = K::Point_3;
 using Graph   = CGAL::Surface_mesh<Point_3>;
-using Surface = CGAL::Triangulated_surface_3<K>;
+using Surface = CGAL::Anisotropic_mesh_2::Triangulated_surface_3<K>;
 
 void check_close(double value, double expected, double tolerance)
 {
@@ -94,7 +94,7 @@ void test_plane()
   }
   for(auto v : graph.vertices()) {
     CHECK(CGAL::squared_distance(s.point(s.vertex_parameters(v)), graph.point(v)) < 1e-24);
-    check_close(CGAL::principal_curvatures_3(s, s.vertex_parameters(v)).k_max, 0, 1e-9);
+    check_close(CGAL::Anisotropic_mesh_2::principal_curvatures_3(s, s.vertex_parameters(v)).k_max, 0, 1e-9);
   }
 }
 
@@ -105,7 +105,7 @@ void test_curvature()
   const Surface s(graph);
   for(auto v : graph.vertices())
     if(CGAL::squared_distance(graph.point(v), Point_3(0, 0, 4)) < 2.5) {
-      const auto k = CGAL::principal_curvatures_3(s, s.vertex_parameters(v));
+      const auto k = CGAL::Anisotropic_mesh_2::principal_curvatures_3(s, s.vertex_parameters(v));
       check_close(k.k_min, -0.25, 0.02);
       check_close(k.k_max, -0.25, 0.02);
     }
@@ -132,14 +132,14 @@ void check_stays(const Graph& input, const Graph& output, const std::string& wha
   const CGAL::AABB_tree<Tree_traits> tree(faces(input).first, faces(input).second, input);
   double farthest = 0, farthest_on_border = 0;
   for(auto v : output.vertices())
-    farthest = std::max(farthest, tree.squared_distance(output.point(v)));
+    farthest = (std::max)(farthest, tree.squared_distance(output.point(v)));
   CHECK_MSG(farthest < 1e-24, what + ": " + std::to_string(std::sqrt(farthest)));
   const std::vector<K::Segment_3> border = border_of(input);
   for(const K::Segment_3& edge : border_of(output)) {
     double nearest = 1;
     for(const K::Segment_3& t : border)
-      nearest = std::min(nearest, CGAL::squared_distance(edge.source(), t));
-    farthest_on_border = std::max(farthest_on_border, nearest);
+      nearest = (std::min)(nearest, CGAL::squared_distance(edge.source(), t));
+    farthest_on_border = (std::max)(farthest_on_border, nearest);
   }
   CHECK_MSG(farthest_on_border < 1e-20, what + ": " + std::to_string(std::sqrt(farthest_on_border)));
   CHECK(output.number_of_vertices() + output.number_of_faces() == output.number_of_edges() + 1);
@@ -149,11 +149,11 @@ template <class Metric>
 Graph check_mesh(const Graph& input, const Surface& s, double corner_angle, const Metric& metric,
                  double least_mean, double least, const std::string& what)
 {
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(s.domain(corner_angle), CGAL::make_surface_metric_field_2(s, metric));
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(s.domain(corner_angle), CGAL::make_surface_metric_field_2(s, metric));
   Graph output;
   mesh.add_to(output);
   check_stays(input, output, what);
-  const auto statistics = CGAL::anisotropic_surface_statistics(mesh);
+  const auto statistics = CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   CHECK_MSG(statistics.quality_mean > least_mean, what + ": " + std::to_string(statistics.quality_mean));
   CHECK_MSG(statistics.quality_min > least, what + ": " + std::to_string(statistics.quality_min));
   return output;
@@ -166,15 +166,15 @@ void test_meshes()
   const auto uniform = [](const Point_3&) { return 0.18; };
   const Graph by_size = check_mesh(bump, s, 0.5, uniform, 0.975, 0.7, "uniform");
   const Graph by_vertices = check_mesh(bump, s, 0.5,
-    CGAL::Vertex_metric_3<K>(s, std::vector<CGAL::Metric_tensor_3<K> >
+    CGAL::Anisotropic_mesh_2::Vertex_metric_3<K>(s, std::vector<CGAL::Metric_tensor_3<K> >
                                   (bump.number_of_vertices(), CGAL::Metric_tensor_3<K>::from_size(0.18))),
     0.975, 0.7, "the same at vertices");
   CHECK(std::abs(double(by_size.number_of_vertices()) / double(by_vertices.number_of_vertices()) - 1) < 0.01);
   std::vector<CGAL::Metric_tensor_3<K> > tensors;
   for(auto v : bump.vertices())
     tensors.push_back(CGAL::Metric_tensor_3<K>::from_sizes(0.1 + 0.05 * std::abs(bump.point(v).x()), 0.3, 0.3));
-  check_mesh(bump, s, 0.5, CGAL::Vertex_metric_3<K>(s, tensors), 0.96, 0.5, "anisotropic at vertices");
-  check_mesh(bump, s, 0.5, CGAL::Curvature_metric_3<Surface>(0.01, 0.1, 0.4, 4), 0.95, 0.4, "curvature");
+  check_mesh(bump, s, 0.5, CGAL::Anisotropic_mesh_2::Vertex_metric_3<K>(s, tensors), 0.96, 0.5, "anisotropic at vertices");
+  check_mesh(bump, s, 0.5, CGAL::Anisotropic_mesh_2::Curvature_metric_3<Surface>(0.01, 0.1, 0.4, 4), 0.95, 0.4, "curvature");
 }
 
 void test_kept_border()
@@ -188,7 +188,7 @@ void test_kept_border()
   for(const K::Segment_3& edge : border_of(bump)) {
     double nearest = 1;
     for(const Point_3& p : border)
-      nearest = std::min(nearest, CGAL::squared_distance(p, edge.source()));
+      nearest = (std::min)(nearest, CGAL::squared_distance(p, edge.source()));
     CHECK(nearest < 1e-24);
   }
 }
@@ -198,8 +198,8 @@ void test_default_domain()
 {
   const Surface s(disc(800, on_bump));
   const auto field = CGAL::make_surface_metric_field_2(s, [](const Point_3&) { return 0.15; });
-  const auto mesh = CGAL::make_anisotropic_surface_mesh(field);
-  CHECK(mesh.faces() == CGAL::make_anisotropic_surface_mesh(s.domain(), field).faces());
+  const auto mesh = CGAL::make_anisotropic_surface_mesh_3(field);
+  CHECK(mesh.faces() == CGAL::make_anisotropic_surface_mesh_3(s.domain(), field).faces());
 }
 
 void refuse(const Graph& graph, const std::string& words)
@@ -243,7 +243,7 @@ void test_refusals()
     }
   refuse(holed, "2 borders");
   const Surface s(graph(3, {{0, 1, 2}}));
-  CHECK_THROWS(CGAL::Vertex_metric_3<K>(s, {}), std::invalid_argument, "0 metric tensors");
+  CHECK_THROWS(CGAL::Anisotropic_mesh_2::Vertex_metric_3<K>(s, {}), std::invalid_argument, "0 metric tensors");
 }
 
 int main()

@@ -2,8 +2,8 @@
 
 #include "voronoi_diagrams.h"
 
-#include <CGAL/Invalid_metric_tensor_exception.h>
-#include <CGAL/acvt_optimize_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 
 #include <cmath>
 #include <string>
@@ -191,7 +191,7 @@ double distance_to_segment(const Tensor& m, const Point& x, const Point& p, cons
 {
   const double ux = q.x() - p.x(), uy = q.y() - p.y(), vx = x.x() - p.x(), vy = x.y() - p.y();
   const double t = (m.m11()*ux*vx + m.m12() * (ux*vy + uy*vx) + m.m22()*uy*vy) / squared_length(m, p, q);
-  return std::sqrt(squared_length(m, x, p + std::min(1., std::max(0., t)) * (q - p)));
+  return std::sqrt(squared_length(m, x, p + (std::min)(1., (std::max)(0., t)) * (q - p)));
 }
 
 double distance_to_bisectors(const Diagram& diagram, const Tensor& m, const Point& x, std::size_t i, std::size_t j)
@@ -200,7 +200,7 @@ double distance_to_bisectors(const Diagram& diagram, const Tensor& m, const Poin
   for(const Diagram::Bisector& b : diagram.bisectors())
     if((b.regions[0] == i && b.regions[1] == j) || (b.regions[0] == j && b.regions[1] == i))
       for(std::size_t k = 1; k < b.points.size(); ++k)
-        least = std::min(least, distance_to_segment(m, x, b.points[k - 1], b.points[k]));
+        least = (std::min)(least, distance_to_segment(m, x, b.points[k - 1], b.points[k]));
   return least;
 }
 
@@ -299,8 +299,8 @@ void test_parabola()
   CHECK(std::abs(diagram.region(right).area - (4 - 2*y + y*y*y)) < 4e-4);
   std::size_t n = 0;
   for(const auto& b : diagram.bisectors())
-    if(std::min(b.regions[0], b.regions[1]) == std::min(left, right)
-       && std::max(b.regions[0], b.regions[1]) == std::max(left, right)) {
+    if(std::min(b.regions[0], b.regions[1]) == (std::min)(left, right)
+       && (std::max)(b.regions[0], b.regions[1]) == (std::max)(left, right)) {
       CHECK(b.is_between_main_pieces && !b.is_closed);
       n += b.points.size();
       for(const Point& p : b.points)
@@ -337,7 +337,7 @@ void test_circle_of_apollonius()
 Pair pair_of(const Diagram& diagram, const Point& p, const Point& q)
 {
   const std::size_t i = index_of(diagram, p), j = index_of(diagram, q);
-  return Pair(std::min(i, j), std::max(i, j));
+  return Pair(std::min(i, j), (std::max)(i, j));
 }
 
 // The regions of the left and the right corners do not meet: the centre's lies between them.
@@ -376,7 +376,7 @@ void test_duality_of_flipped_mesh()
 {
   const std::vector<Case> cases = paper_cases();
   Mesh mesh = CGAL::make_anisotropic_mesh_2(cases[4].domain, cases[4].field);
-  CGAL::acvt_optimize_mesh_2(mesh, CGAL::parameters::number_of_iterations(20));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(20));
   const auto before = Diagram(mesh).duality();
   CHECK(before.edges_without_bisector.empty() && before.bisectors_without_edge.empty());
   CHECK(before.share_of_dual_edges() == 1 && before.number_of_dual_edges == mesh.edges_in_domain().size());
@@ -400,7 +400,7 @@ void test_holes_and_constraints()
   CGAL::Anisotropic_mesh_domain_2<K> domain;
   domain.add_polygon(std::vector<Point>{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 1);
   domain.add_circle(Point(1, 1), 0.5, 2);
-  domain.add_constraint(CGAL::Curve_piece_2<K>::segment(Point(2, 2), Point(2, 0), 3));
+  domain.add_constraint(CGAL::Anisotropic_mesh_2::Curve_piece_2<K>::segment(Point(2, 2), Point(2, 0), 3));
   const Field field = [](const Point& p) {
     const double x = p.x() - 1, y = p.y() - 1, distance = std::abs(std::hypot(x, y) - 0.5);
     return Tensor::from_sizes(0.05 + 0.2*distance, 0.2 + 0.1*distance, std::atan2(y, x));
@@ -459,8 +459,8 @@ void test_failing_field()
   const Field field = [](const Point& p)
   { return std::hypot(p.x() - 0.3, p.y() - 0.2) < 0.2 ? Tensor::from_size(-1) : Tensor::from_size(1); };
   const Mesh mesh = mesh_of(square(), {centre}, field);
-  CHECK_THROWS(Diagram d(mesh), CGAL::Invalid_metric_tensor_exception, "at the point (");
-  CHECK_THROWS(Diagram d(mesh), CGAL::Invalid_metric_tensor_exception, "the metric of size -1");
+  CHECK_THROWS(Diagram d(mesh), CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "at the point (");
+  CHECK_THROWS(Diagram d(mesh), CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "the metric of size -1");
 }
 
 int main()

@@ -175,7 +175,7 @@ void test_pieces(const Named_field& f, const std::vector<Point>& inner)
     std::sort(expected.begin(), expected.end());
     CHECK_MSG(areas.size() == expected.size(), f.name + ": " + std::to_string(areas.size()) + " pieces, not "
               + std::to_string(expected.size()));
-    for(std::size_t k = 0; k < std::min(areas.size(), expected.size()); ++k)
+    for(std::size_t k = 0; k < (std::min)(areas.size(), expected.size()); ++k)
       CHECK_MSG(std::abs(areas[k] - expected[k]) < 0.005 * std::sqrt(expected[k]), f.name);
   }
 }

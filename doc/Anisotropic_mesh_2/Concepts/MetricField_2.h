@@ -18,7 +18,7 @@
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Constant_metric_field_2<K>}
 /// \cgalHasModels{CGAL::Isotropic_metric_field_2<K, Size>}
-/// \cgalHasModels{CGAL::Directional_metric_field_2<K, Sizes>}
+/// \cgalHasModels{CGAL::Oriented_sizes_metric_field_2<K, Sizes>}
 /// \cgalHasModels{CGAL::Discrete_metric_field_2<K>}
 /// \cgalHasModels{CGAL::Gradient_metric_field_2<K, Gradient>}
 /// \cgalHasModels{CGAL::Hessian_metric_field_2<K, Hessian>}

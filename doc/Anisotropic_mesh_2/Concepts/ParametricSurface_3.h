@@ -12,11 +12,11 @@
 /// outer one of a closed surface. The second derivatives are used by metrics of curvature only.
 ///
 /// \cgalHasModelsBegin
-/// \cgalHasModels{CGAL::Callable_surface_3<K, Function>}
-/// \cgalHasModels{CGAL::Parametric_ellipsoid_3<K>}
-/// \cgalHasModels{CGAL::Parametric_torus_3<K>}
-/// \cgalHasModels{CGAL::Quadratic_graph_surface_3<K>}
-/// \cgalHasModels{CGAL::Triangulated_surface_3<K>}
+/// \cgalHasModels{CGAL::Anisotropic_mesh_2::Callable_surface_3<K, Function>}
+/// \cgalHasModels{CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<K>}
+/// \cgalHasModels{CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>}
+/// \cgalHasModels{CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>}
+/// \cgalHasModels{CGAL::Anisotropic_mesh_2::Triangulated_surface_3<K>}
 /// \cgalHasModelsEnd
 class ParametricSurface_3
 {

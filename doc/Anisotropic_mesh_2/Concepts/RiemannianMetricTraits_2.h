@@ -61,7 +61,7 @@ public:
   /// @{
 
   /// provides `Metric_tensor_2 operator()(Point_2 p)`, the value of the field at `p`;
-  /// throws `CGAL::Invalid_metric_tensor_exception` where it has none.
+  /// throws `CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception` where it has none.
   typedef unspecified_type Construct_metric_tensor_2;
 
   /// provides `double operator()(Point_2 p, Point_2 q)`, the Riemannian length of

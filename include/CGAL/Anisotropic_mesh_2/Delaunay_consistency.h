@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_DELAUNAY_CONSISTENCY_H
 #define CGAL_ANISOTROPIC_MESH_2_DELAUNAY_CONSISTENCY_H
@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <ostream>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -43,7 +42,6 @@ private:
   static double share(std::size_t part, std::size_t whole) { return whole == 0 ? 1. : double(part) / double(whole); }
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_DELAUNAY_CONSISTENCY_H

@@ -1,14 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_LABELLE_SHEWCHUK_DISTANCE_2_H
 #define CGAL_ANISOTROPIC_MESH_2_LABELLE_SHEWCHUK_DISTANCE_2_H
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -27,7 +26,6 @@ struct Labelle_Shewchuk_distance_2
   auto operator()(Vertex_handle v) const { return v->metric_tensor(); }
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_LABELLE_SHEWCHUK_DISTANCE_2_H

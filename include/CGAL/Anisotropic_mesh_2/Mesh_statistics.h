@@ -1,19 +1,18 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H
 #define CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/write_figures.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/write_statistics.h>
 
 #include <cstddef>
 #include <ostream>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -40,7 +39,7 @@ struct Mesh_statistics
   double energy = 0;                   ///< of the anisotropic Voronoi tessellation, in the measure asked for
   double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect
   double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre; after
-                                       ///< `acvt_optimize_mesh_2()` some hundredths, for its topological moves take
+                                       ///< `optimize_anisotropic_mesh_2()` some hundredths, for its topological moves take
                                        ///< vertices away from there
 
   /// calls `visit(name, value)` for each figure, from `vertices` to `gradient_norm`.
@@ -67,14 +66,13 @@ struct Mesh_statistics
   /// writes one line per figure.
   friend std::ostream& operator<<(std::ostream& os, const Mesh_statistics& s)
   {
-    return internal::write_figures(os, s);
+    return internal::write_statistics(os, s);
   }
 
   /// writes the figures as a flat JSON object.
-  void write_json(std::ostream& os) const { internal::write_figures_as_json(os, *this); }
+  void write_json(std::ostream& os) const { internal::write_statistics_as_json(os, *this); }
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_MESH_STATISTICS_H

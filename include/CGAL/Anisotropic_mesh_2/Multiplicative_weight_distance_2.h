@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_MULTIPLICATIVE_WEIGHT_DISTANCE_2_H
 #define CGAL_ANISOTROPIC_MESH_2_MULTIPLICATIVE_WEIGHT_DISTANCE_2_H
@@ -12,8 +12,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -49,7 +48,6 @@ private:
   Weight m_weight;
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_MULTIPLICATIVE_WEIGHT_DISTANCE_2_H

@@ -1,16 +1,15 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_OPTIMIZATION_STATE_H
 #define CGAL_ANISOTROPIC_MESH_2_OPTIMIZATION_STATE_H
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -36,7 +35,6 @@ struct Default_optimization_visitor
   bool iteration(const Optimization_state&) const { return true; }
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_OPTIMIZATION_STATE_H

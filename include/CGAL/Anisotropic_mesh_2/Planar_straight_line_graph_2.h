@@ -1,20 +1,17 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
 #define CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
-
-#include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -54,7 +51,6 @@ struct Planar_straight_line_graph_2
   std::vector<int>                        triangle_references; ///< any numbers, one for each triangle, or none
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H

@@ -1,19 +1,18 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_SURFACE_MESH_STATISTICS_H
 #define CGAL_ANISOTROPIC_MESH_2_SURFACE_MESH_STATISTICS_H
 
 #include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
-#include <CGAL/Anisotropic_mesh_2/internal/write_figures.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/write_statistics.h>
 
 #include <ostream>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -25,7 +24,7 @@ namespace Anisotropic_mesh_2 {
 /// charts of the surface, in each of which the vertices that are far from where it is cut are measured.
 /// Vertices at the border of the mesh are not free. Faces that overlap others in every chart have no share in the
 /// tessellation, nor in its ideal number of vertices.
-/// \sa `CGAL::anisotropic_surface_statistics()`
+/// \sa `CGAL::anisotropic_surface_mesh_statistics_3()`
 struct Surface_mesh_statistics
   : public Mesh_statistics
 {
@@ -49,14 +48,13 @@ struct Surface_mesh_statistics
   /// writes one line per figure.
   friend std::ostream& operator<<(std::ostream& os, const Surface_mesh_statistics& s)
   {
-    return internal::write_figures(os, s);
+    return internal::write_statistics(os, s);
   }
 
   /// writes the figures as a flat JSON object.
-  void write_json(std::ostream& os) const { internal::write_figures_as_json(os, *this); }
+  void write_json(std::ostream& os) const { internal::write_statistics_as_json(os, *this); }
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_SURFACE_MESH_STATISTICS_H

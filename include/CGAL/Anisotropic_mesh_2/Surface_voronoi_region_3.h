@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_SURFACE_VORONOI_REGION_3_H
 #define CGAL_ANISOTROPIC_MESH_2_SURFACE_VORONOI_REGION_3_H
@@ -11,14 +11,13 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// the region of a vertex of a mesh of a surface, on the surface (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
-/// \sa `CGAL::anisotropic_surface_voronoi_regions()`
+/// \sa `CGAL::anisotropic_surface_Voronoi_regions_3()`
 ///
 /// \tparam K a model of `Kernel`
 template <class K>
@@ -32,7 +31,6 @@ struct Surface_voronoi_region_3
   std::vector<Tile>                  tiles;      ///< triangles that make up the region, but for the surface's curvature
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_SURFACE_VORONOI_REGION_3_H

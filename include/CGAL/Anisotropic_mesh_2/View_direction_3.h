@@ -1,14 +1,13 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_VIEW_DIRECTION_3_H
 #define CGAL_ANISOTROPIC_MESH_2_VIEW_DIRECTION_3_H
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2IO
 ///
@@ -19,7 +18,6 @@ struct View_direction_3
   double elevation = 0.5;  ///< that direction above the xy-plane, in radians
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_VIEW_DIRECTION_3_H

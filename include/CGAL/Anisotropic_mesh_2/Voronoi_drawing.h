@@ -1,16 +1,15 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_DRAWING_H
 #define CGAL_ANISOTROPIC_MESH_2_VORONOI_DRAWING_H
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2IO
 ///
@@ -23,7 +22,6 @@ struct Voronoi_drawing
   Measure measure = Measure::RIEMANNIAN; ///< of the mass centres
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_DRAWING_H

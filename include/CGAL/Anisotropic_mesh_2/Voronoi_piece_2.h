@@ -1,16 +1,15 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_PIECE_2_H
 #define CGAL_ANISOTROPIC_MESH_2_VORONOI_PIECE_2_H
 
 #include <vector>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -28,7 +27,6 @@ struct Voronoi_piece_2
   std::vector<Polygon>  boundaries;      ///< the outer ones counterclockwise, those of holes clockwise
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_PIECE_2_H

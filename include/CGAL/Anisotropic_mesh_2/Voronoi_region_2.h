@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H
 #define CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H
@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
@@ -48,7 +47,6 @@ struct Voronoi_region_2
   }
 };
 
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_VORONOI_REGION_2_H

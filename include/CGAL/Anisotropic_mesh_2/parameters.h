@@ -1,18 +1,17 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_PARAMETERS_H
 #define CGAL_ANISOTROPIC_MESH_2_PARAMETERS_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/compatibility.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/compatibility.h>
 
 #include <CGAL/Named_function_parameters.h>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 namespace internal {
 
 struct maximum_number_of_vertices_t {};
@@ -122,7 +121,6 @@ topological_moves(const Value& v, const Named_function_parameters<T, Tag, Base>&
 { return Chained_parameter<Value, internal::topological_moves_t, T, Tag, Base>(v, np); }
 
 } // namespace parameters
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_PARAMETERS_H

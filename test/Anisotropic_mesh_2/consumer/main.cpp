@@ -1,6 +1,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Anisotropic_mesh_2/IO/svg.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // A graph that was read, as the domain of a mesh.
 
@@ -12,12 +12,12 @@
 #include "reader.h"
 
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Constant_metric_field_2.h>
-#include <CGAL/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
@@ -39,7 +39,7 @@ inline std::optional<Domain> valid_domain(const Graph& graph, Domain_rule rule)
     domain.validate();
     return domain;
   }
-  catch(const CGAL::Invalid_domain_exception& e) {
+  catch(const CGAL::Anisotropic_mesh_2::Invalid_domain_exception& e) {
     require_readable(e.what());
     const std::string what = e.what();
     require(what.find("inf)") == std::string::npos && what.find("nan") == std::string::npos,
@@ -76,8 +76,8 @@ inline Graph coarse_mesh(const Domain& domain, double size)
   namespace parameters = CGAL::Anisotropic_mesh_2::parameters;
   const CGAL::Constant_metric_field_2<Kernel> field(CGAL::Metric_tensor_2<Kernel>::from_size(size));
   const std::string file = Input_files::directory() / "coarse.mesh";
-  CGAL::IO::write_medit(file, CGAL::make_anisotropic_mesh_2(domain, field, parameters::keep_boundary_points(true)));
-  return CGAL::IO::read_medit<Kernel>(file);
+  CGAL::IO::write_MEDIT(file, CGAL::make_anisotropic_mesh_2(domain, field, parameters::keep_boundary_points(true)));
+  return CGAL::IO::read_MEDIT<Kernel>(file);
 }
 
 // Meshes the domain if it is small enough to be fast, and its size one that a

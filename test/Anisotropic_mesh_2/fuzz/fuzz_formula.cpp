@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // The formulas of the program, each on a line.
 
 #include "require.h"
 
-#include <CGAL/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
 #include <Formula_metric_field.h>
 
 #include <sstream>
@@ -23,7 +23,7 @@ void evaluate(const Formula_metric_field& field)
     try {
       field(program::Point_2(x, 1 - x));
     }
-    catch(const CGAL::Invalid_metric_tensor_exception& e) {
+    catch(const CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception& e) {
       require_readable(e.what());
     }
 }

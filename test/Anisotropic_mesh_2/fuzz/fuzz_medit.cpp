@@ -1,25 +1,25 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // .mesh files that give a domain.
 
 #include "domain.h"
 #include "../include/equal_graphs.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const Input_files files(data, size, {"input.mesh", "unused"});
-  const auto graph = read_or_refuse(files, [&] { return CGAL::IO::read_medit<Kernel>(files[0]); });
+  const auto graph = read_or_refuse(files, [&] { return CGAL::IO::read_MEDIT<Kernel>(files[0]); });
   if(!graph)
     return 0;
   const std::string again = Input_files::directory() / "again.mesh";
-  CGAL::IO::write_medit(again, *graph);
-  require(are_equal(*graph, CGAL::IO::read_medit<Kernel>(again)), "the same graph, written and read again");
+  CGAL::IO::write_MEDIT(again, *graph);
+  require(are_equal(*graph, CGAL::IO::read_MEDIT<Kernel>(again)), "the same graph, written and read again");
   use_as_domain(*graph, Domain_rule::EVEN_ODD);
   return 0;
 }

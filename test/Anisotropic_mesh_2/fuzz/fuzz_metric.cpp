@@ -1,14 +1,14 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // .sol files behind a line "---", with the .mesh file of their background before it.
 
 #include "reader.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/medit.h>
+#include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Discrete_metric_field_2.h>
 
 #include <algorithm>
@@ -66,14 +66,14 @@ void evaluate(const Graph& background, const std::vector<Tensor>& tensors)
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   const Input_files files(data, size, {"input.mesh", "input.sol"});
-  const auto tensors = read_or_refuse(files, [&] { return CGAL::IO::read_medit_metric<Kernel>(files[1]); });
+  const auto tensors = read_or_refuse(files, [&] { return CGAL::IO::read_MEDIT_metric<Kernel>(files[1]); });
   if(!tensors)
     return 0;
   const std::string again = Input_files::directory() / "again.sol";
-  CGAL::IO::write_medit_metric(again, *tensors);
-  require(*tensors == CGAL::IO::read_medit_metric<Kernel>(again), "the same tensors, written and read again");
+  CGAL::IO::write_MEDIT_metric(again, *tensors);
+  require(*tensors == CGAL::IO::read_MEDIT_metric<Kernel>(again), "the same tensors, written and read again");
 
-  const auto background = read_or_refuse(files, [&] { return CGAL::IO::read_medit<Kernel>(files[0]); });
+  const auto background = read_or_refuse(files, [&] { return CGAL::IO::read_MEDIT<Kernel>(files[0]); });
   if(background)
     try {
       evaluate(*background, *tensors);

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // What the tests of domains share.
 
@@ -22,12 +22,12 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel       K;
 typedef K::Point_2                                                Point;
 typedef std::vector<Point>                                        Points;
 typedef CGAL::Anisotropic_mesh_domain_2<K>                        Domain;
-typedef CGAL::Curve_piece_2<K>                                    Piece;
+typedef CGAL::Anisotropic_mesh_2::Curve_piece_2<K>                                    Piece;
 typedef CGAL::Anisotropic_mesh_2::Domain_rule                     Rule;
 typedef CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<K> Graph;
 typedef CGAL::Anisotropic_mesh_2::internal::Domain_preparation<K> Preparation;
 typedef CGAL::Anisotropic_mesh_2::internal::Piece_role            Role;
-typedef CGAL::Invalid_domain_exception                            Bad;
+typedef CGAL::Anisotropic_mesh_2::Invalid_domain_exception                            Bad;
 
 const double nan_value = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();

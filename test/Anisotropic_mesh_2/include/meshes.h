@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_TEST_MESHES_H
 #define ANISOTROPIC_MESH_2_TEST_MESHES_H
@@ -72,7 +72,7 @@ inline std::vector<Case> unit_square_cases()
   cases.push_back({"linear-01", box(0, 1), [](const Point& p)
                    { return Tensor::from_sizes(0.1, 0.01 + 0.18*std::abs(p.y() - 0.5)); }, 1});
   cases.push_back({"polar-2", box(0, 1), [](const Point& p) {
-                     const double r = std::hypot(p.x(), p.y()), d = std::min(10*std::abs(r - 0.5), 1.);
+                     const double r = std::hypot(p.x(), p.y()), d = (std::min)(10*std::abs(r - 0.5), 1.);
                      return Tensor::from_sizes(0.001 + 0.198*std::abs(r - 0.5), 0.1*d + 0.025*(1 - d),
                                                std::atan2(p.y(), p.x()));
                    }, 1});

@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 // What the tests of Voronoi diagrams have in common: meshes of given
 // generators, polygons, and what holds for all diagrams.
@@ -41,7 +41,7 @@ using CGAL::Anisotropic_mesh_2::Measure;
 inline Mesh mesh_of(const Polygon& boundary, const std::vector<Point>& inner, const Field& field)
 {
   Mesh mesh{Metric_traits(field)};
-  Mesh::Boundary_mesh b;
+  Mesh::Boundary_graph b;
   b.points = boundary;
   for(std::size_t i = 0; i < boundary.size(); ++i)
     b.segments.push_back({i, (i + 1) % boundary.size(), 1, true});

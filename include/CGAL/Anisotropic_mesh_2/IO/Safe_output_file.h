@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_IO_SAFE_OUTPUT_FILE_H
 #define CGAL_ANISOTROPIC_MESH_2_IO_SAFE_OUTPUT_FILE_H
@@ -20,8 +20,7 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL {
-namespace Anisotropic_mesh_2 {
+namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2IO
 ///
@@ -190,7 +189,6 @@ void write_safely(const std::string& file, const Write& write)
 }
 
 } // namespace internal
-} // namespace Anisotropic_mesh_2
-} // namespace CGAL
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_IO_SAFE_OUTPUT_FILE_H

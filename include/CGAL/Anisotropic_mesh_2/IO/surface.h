@@ -1,16 +1,16 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef CGAL_ANISOTROPIC_MESH_2_IO_SURFACE_H
 #define CGAL_ANISOTROPIC_MESH_2_IO_SURFACE_H
 
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
-#include <CGAL/Anisotropic_mesh_2/IO/internal/Svg_surface.h>
-#include <CGAL/Anisotropic_mesh_2/IO/internal/Text_writer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_surface.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/Text_writer.h>
 #include <CGAL/Anisotropic_mesh_2/Surface_voronoi_region_3.h>
 #include <CGAL/Anisotropic_mesh_2/View_direction_3.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
@@ -56,7 +56,7 @@ namespace IO {
 /// \param os the stream
 /// \param mesh the mesh
 template <class Field>
-void write_off(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
+void write_OFF(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 {
   Anisotropic_mesh_2::internal::Text_writer out(os);
   out << "OFF\n" << mesh.number_of_vertices() << ' ' << mesh.number_of_faces() << " 0\n\n";
@@ -69,7 +69,7 @@ void write_off(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 /// \param os the stream
 /// \param mesh the mesh
 template <class Field>
-void write_ply(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
+void write_PLY(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh)
 {
   Anisotropic_mesh_2::internal::Text_writer out(os);
   out << "ply\nformat ascii 1.0\nelement vertex " << mesh.number_of_vertices()
@@ -104,7 +104,7 @@ void write_SVG(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh,
 /// that `is_closed`, what faces away is left out.
 /// \tparam K a model of `Kernel`
 /// \param os the stream
-/// \param regions what `anisotropic_surface_voronoi_regions()` returns
+/// \param regions what `anisotropic_surface_Voronoi_regions_3()` returns
 /// \param is_closed whether the surface is closed
 /// \param title what the line of text below the picture begins with; may be empty
 /// \param view from where the surface is seen
@@ -127,9 +127,9 @@ void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Surface_v
 /// \param mesh the mesh
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Field>
-void write_off(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh)
+void write_OFF(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh)
 {
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_off(os, mesh); });
+  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_OFF(os, mesh); });
 }
 
 /// writes a mesh of a surface to a file, which appears under its name only when it is complete.
@@ -138,9 +138,9 @@ void write_off(const std::string& file, const Anisotropic_surface_mesh_3<Field>&
 /// \param mesh the mesh
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Field>
-void write_ply(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh)
+void write_PLY(const std::string& file, const Anisotropic_surface_mesh_3<Field>& mesh)
 {
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_ply(os, mesh); });
+  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_PLY(os, mesh); });
 }
 
 /// draws a mesh of a surface to a file, which appears under its name only when it is complete.
@@ -161,7 +161,7 @@ void write_SVG(const std::string& file, const Anisotropic_surface_mesh_3<Field>&
 /// draws Voronoi regions to a file, which appears under its name only when it is complete.
 /// \tparam K a model of `Kernel`
 /// \param file the name of the file
-/// \param regions what `anisotropic_surface_voronoi_regions()` returns
+/// \param regions what `anisotropic_surface_Voronoi_regions_3()` returns
 /// \param is_closed whether the surface is closed
 /// \param title what the line of text below the picture begins with; may be empty
 /// \param view from where the surface is seen

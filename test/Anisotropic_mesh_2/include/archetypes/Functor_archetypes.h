@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_TEST_ARCHETYPES_FUNCTOR_ARCHETYPES_H
 #define ANISOTROPIC_MESH_2_TEST_ARCHETYPES_FUNCTOR_ARCHETYPES_H
@@ -27,7 +27,7 @@ public:
   typename K::FT operator()(const typename K::Point_2& p) const { return p.x() / 4 + 1; }
 };
 
-// the `Sizes` of `Directional_metric_field_2`, which gives numbers of three types
+// the `Sizes` of `Oriented_sizes_metric_field_2`, which gives numbers of three types
 template <class K>
 class Sizes_archetype
   : public Only_copyable
@@ -108,7 +108,7 @@ private:
   const Triangulation& m_triangulation;
 };
 
-// the `EdgeReference` of `write_medit()`
+// the `EdgeReference` of `write_MEDIT()`
 template <class Triangulation>
 class Edge_reference_archetype
   : public Only_copyable

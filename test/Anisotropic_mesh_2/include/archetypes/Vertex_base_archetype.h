@@ -1,8 +1,8 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
 // This file is part of Anisotropic_mesh_2.
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Author(s)     : the Anisotropic_mesh_2 developers
 
 #ifndef ANISOTROPIC_MESH_2_TEST_ARCHETYPES_VERTEX_BASE_ARCHETYPE_H
 #define ANISOTROPIC_MESH_2_TEST_ARCHETYPES_VERTEX_BASE_ARCHETYPE_H
@@ -43,7 +43,7 @@ public:
 private:
   Point  m_point;
   Tensor m_tensor;
-  int    m_index = std::numeric_limits<int>::max(); // must not be used
+  int    m_index = (std::numeric_limits<int>::max)(); // must not be used
 };
 
 #endif // ANISOTROPIC_MESH_2_TEST_ARCHETYPES_VERTEX_BASE_ARCHETYPE_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_IO_DOMAIN_GRAPH_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_IO_DOMAIN_GRAPH_H
+
+#include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
+
+#include <CGAL/number_utils.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Unique_hash_map.h>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+// The domain of a triangulation in plain numbers, as all writers take it.
+typedef Planar_straight_line_graph_2<Simple_cartesian<double>> Domain_graph;
+
+// The reference that the triangulation itself keeps for an edge; 1 if it keeps none.
+struct Stored_edge_reference {};
+
+template <class Tr, class = void>
+struct Has_edge_reference : std::false_type {};
+
+template <class Tr>
+struct Has_edge_reference<Tr, std::void_t<decltype(
+    std::declval<const Tr&>().edge_reference(std::declval<typename Tr::Edge>()))>>
+  : std::true_type {};
+
+template <class Face, class = void>
+struct Has_subdomain_index : std::false_type {};
+
+template <class Face>
+struct Has_subdomain_index<Face, std::void_t<decltype(std::declval<const Face&>().subdomain_index())>>
+  : std::true_type {};
+
+template <class Tr, class EdgeReference>
+int reference_of(const Tr& tr, const typename Tr::Edge& e, const EdgeReference& edge_reference)
+{
+  if constexpr(!std::is_same<EdgeReference, Stored_edge_reference>::value)
+    return edge_reference(e);
+  else if constexpr(Has_edge_reference<Tr>::value)
+    return tr.edge_reference(e);
+  else
+    return 1;
+}
+
+template <class Face_handle>
+int subdomain_of(Face_handle f)
+{
+  if constexpr(Has_subdomain_index<std::decay_t<decltype(*f)>>::value)
+    return f->subdomain_index();
+  else
+    return 0;
+}
+
+// The vertices of the faces of the domain, in the order of the triangulation,
+// and the position of each.
+template <class Tr>
+class Domain_vertices
+{
+public:
+  typedef typename Tr::Vertex_handle Vertex_handle;
+
+  explicit Domain_vertices(const Tr& tr) : m_position(unused, tr.number_of_vertices())
+  {
+    for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)
+      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
+        m_position[f->vertex(i)] = 0;
+    for(auto it = tr.finite_vertices_begin(); it != tr.finite_vertices_end(); ++it) {
+      const Vertex_handle v = it;
+      if(m_position[v] != unused) {
+        m_position[v] = m_vertices.size();
+        m_vertices.push_back(v);
+      }
+    }
+  }
+
+  const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
+  std::size_t operator[](Vertex_handle v) const { return m_position[v]; }
+
+private:
+  static constexpr std::size_t unused = static_cast<std::size_t>(-1);
+
+  Unique_hash_map<Vertex_handle, std::size_t> m_position;
+  std::vector<Vertex_handle>                  m_vertices;
+};
+
+// Adds the constrained edges and the outline, with the domain to their left, in an order
+// that does not depend on the addresses of faces, as that of finite_edges_begin() does.
+// A vertex takes the least reference of its edges.
+template <class Tr, class EdgeReference>
+void add_edges_of_domain(const Tr& tr, const EdgeReference& edge_reference,
+                         const Domain_vertices<Tr>& vertices, Domain_graph& graph)
+{
+  for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)
+    for(int i = 0; i < 3 && f->is_in_domain(); ++i) {
+      const std::size_t source = vertices[f->vertex(Tr::ccw(i))], target = vertices[f->vertex(Tr::cw(i))];
+      const typename Tr::Edge e(f, i);
+      if(f->neighbor(i)->is_in_domain() && !(tr.is_constrained(e) && source < target))
+        continue;
+      const int reference = reference_of(tr, e, edge_reference);
+      graph.edges.push_back({source, target, reference});
+      for(std::size_t v : {source, target})
+        if(graph.point_references[v] == 0 || reference < graph.point_references[v])
+          graph.point_references[v] = reference;
+    }
+}
+
+template <class Tr, class EdgeReference>
+Domain_graph domain_graph(const Tr& tr, const EdgeReference& edge_reference)
+{
+  Domain_graph graph;
+  if(tr.dimension() < 2)
+    return graph;
+  const Domain_vertices<Tr> vertices(tr);
+  for(typename Tr::Vertex_handle v : vertices.vertices())
+    graph.points.emplace_back(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+  graph.point_references.assign(graph.points.size(), 0);
+  for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f) {
+    if(!f->is_in_domain())
+      continue;
+    graph.triangles.push_back({vertices[f->vertex(0)], vertices[f->vertex(1)], vertices[f->vertex(2)]});
+    graph.triangle_references.push_back(subdomain_of(f));
+  }
+  add_edges_of_domain(tr, edge_reference, vertices, graph);
+  return graph;
+}
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_IO_DOMAIN_GRAPH_H

@@ -1,0 +1,194 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESHING_FIELD_POINT_INSERTER_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESHING_FIELD_POINT_INSERTER_H
+
+#include <CGAL/Anisotropic_mesh_2/Point_placement.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Edge_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/unit_apex.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+// Unit meshing of the domain (section 3.2 of the paper): points at unit
+// distances on the edges that are too long, each accepted if it is far enough,
+// in the metric, from all vertices that it would be joined to.
+//
+// The cavity of a candidate is found once and serves twice, for the filter and
+// for the insertion. Under the metric its boundary holds the nearest vertex,
+// old ones and those accepted just before alike, so that no other search is
+// needed. Walks start from the previous point of the same edge: they are short
+// in the metric, whatever the anisotropy.
+template <class Mesh>
+class Field_point_inserter
+{
+  typedef typename Mesh::Point           Point;
+  typedef typename Mesh::Edge            Edge;
+  typedef typename Mesh::Vertex_handle   Vertex_handle;
+  typedef typename Mesh::Face_handle     Face_handle;
+  typedef typename Mesh::Metric_tensor_2 Metric_tensor;
+  typedef std::pair<Vertex_handle, Vertex_handle> Vertex_pair;
+
+public:
+  Field_point_inserter(Mesh& mesh, std::size_t maximum_number_of_vertices)
+    : m_mesh(mesh), m_limit(maximum_number_of_vertices),
+      m_tensor(mesh.geom_traits().construct_metric_tensor_2_object())
+  {}
+
+  // With ADVANCING_FRONT, points come from the fronts as long as these advance;
+  // what stays too long afterwards is subdivided.
+  void operator()(Point_placement placement)
+  {
+    if(placement == Point_placement::ADVANCING_FRONT)
+      repeat_rounds(front_edges(), [this](const Vertex_pair& e) { advance(e.first, e.second); });
+    repeat_rounds(interior_edges(), [this](const Vertex_pair& e) { subdivide(e.first, e.second); });
+  }
+
+private:
+  static constexpr int maximum_number_of_rounds = 1000;
+
+  // Each round looks at the edges that the last one created. Accepted points
+  // keep a distance in the metric, which ends the rounds; the bound is for
+  // metrics so rough that distances mean little.
+  template <class Treat>
+  void repeat_rounds(std::vector<Vertex_pair> edges, const Treat& treat)
+  {
+    for(int round = 0; round < maximum_number_of_rounds && !edges.empty(); ++round) {
+      m_new_vertices.clear();
+      for(const Vertex_pair& e : edges)
+        treat(e);
+      edges = edges_of_new_vertices();
+    }
+  }
+
+  // Points at unit distance from both ends of an edge, on both its sides.
+  void advance(Vertex_handle u, Vertex_handle v)
+  {
+    advance_to_the_left(u, v);
+    advance_to_the_left(v, u);
+  }
+
+  // The metric halfway to the point is estimated from those at the ends of the
+  // edge and at a first guess of the point, but only if that lies in the
+  // domain: beyond, the field need not be defined.
+  void advance_to_the_left(Vertex_handle u, Vertex_handle v)
+  {
+    const Symmetric_form at_edge = geometric_mean(Symmetric_form(u->metric_tensor()),
+                                                  Symmetric_form(v->metric_tensor()));
+    Point apex;
+    Face_handle hint = u->face();
+    if(!unit_apex(u->point(), v->point(), at_edge, apex) || !is_field_point(apex, hint))
+      return;
+    if(unit_apex(u->point(), v->point(), geometric_mean(at_edge, Symmetric_form(m_tensor(apex))), apex))
+      try_to_insert(apex, hint);
+  }
+
+  bool is_field_point(const Point& p, Face_handle& hint) const
+  {
+    typename Mesh::Locate_type lt;
+    int li;
+    hint = m_mesh.locate(p, lt, li, hint);
+    return m_mesh.is_field_point(lt, hint, li);
+  }
+
+  void subdivide(Vertex_handle u, Vertex_handle v)
+  {
+    Face_handle hint = u->face();
+    for(const Point& p : m_subdivision(u->point(), u->metric_tensor(), v->point(), v->metric_tensor(), m_tensor))
+      try_to_insert(p, hint);
+  }
+
+  void try_to_insert(const Point& p, Face_handle& hint)
+  {
+    typename Mesh::Locate_type lt;
+    int li;
+    const Face_handle f = m_mesh.locate(p, lt, li, hint);
+    hint = f;
+    if(!m_mesh.is_field_point(lt, f, li))
+      return;
+    const Metric_tensor m = m_tensor(p);
+    m_cavity.faces.clear();
+    m_cavity.boundary.clear();
+    m_mesh.find_cavity(p, m, lt, f, li, m_cavity);
+    if(!keeps_distance(p, m))
+      return;
+    if(m_mesh.number_of_vertices() >= m_limit)
+      throw Too_many_vertices_exception(double(m_limit) + 1, m_limit);
+    const Vertex_handle v = m_mesh.insert_field_point(p, m, m_cavity);
+    m_new_vertices.push_back(v);
+    hint = v->face();
+  }
+
+  bool keeps_distance(const Point& p, const Metric_tensor& m) const
+  {
+    for(const Edge& e : m_cavity.boundary)
+      if(distance(p, m, e.first->vertex(Mesh::ccw(e.second))) < minimum_distance)
+        return false;
+    return true;
+  }
+
+  static double distance(const Point& p, const Metric_tensor& m, Vertex_handle v)
+  {
+    const double x = CGAL::to_double(v->point().x() - p.x()), y = CGAL::to_double(v->point().y() - p.y());
+    return (Symmetric_form(m).length(x, y) + Symmetric_form(v->metric_tensor()).length(x, y)) / 2;
+  }
+
+  // the constrained edges
+  std::vector<Vertex_pair> front_edges() const
+  {
+    std::vector<Vertex_pair> edges;
+    for(auto f = m_mesh.all_faces_begin(); f != m_mesh.all_faces_end(); ++f)
+      for(int i = 0; i < 3; ++i) {
+        const Vertex_handle u = f->vertex(Mesh::ccw(i)), v = f->vertex(Mesh::cw(i));
+        if(f->is_constrained(i) && u->index() < v->index())
+          edges.emplace_back(u, v);
+      }
+    return edges;
+  }
+
+  std::vector<Vertex_pair> interior_edges() const
+  {
+    std::vector<Vertex_pair> edges;
+    for(const Edge& e : m_mesh.edges_in_domain())
+      if(!m_mesh.is_constrained(e))
+        edges.emplace_back(e.first->vertex(Mesh::ccw(e.second)), e.first->vertex(Mesh::cw(e.second)));
+    return edges;
+  }
+
+  std::vector<Vertex_pair> edges_of_new_vertices() const
+  {
+    std::vector<Vertex_pair> edges;
+    for(Vertex_handle v : m_new_vertices) {
+      auto w = m_mesh.incident_vertices(v), done(w);
+      do {
+        // an edge between two new vertices is taken once
+        if(w->index() < v->index())
+          edges.emplace_back(w, v);
+      } while(++w != done);
+    }
+    return edges;
+  }
+
+  static constexpr double minimum_distance = 0.70710678118654752; // the paper's sqrt(2)/2
+
+  Mesh& m_mesh;
+  const std::size_t m_limit;
+  const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
+  Edge_subdivision<Point> m_subdivision;
+  typename Mesh::Cavity m_cavity;
+  std::vector<Vertex_handle> m_new_vertices;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESHING_FIELD_POINT_INSERTER_H

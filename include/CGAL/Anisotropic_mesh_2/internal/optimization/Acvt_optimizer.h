@@ -1,0 +1,285 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_ACVT_OPTIMIZER_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_ACVT_OPTIMIZER_H
+
+#include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Lbfgs_history.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Bisector_hessian.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Region_preconditioner.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/vector_operations.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+struct Stopping_criteria
+{
+  std::size_t number_of_iterations = 100;
+  double convergence = 1e-3;   // on the largest metric length of a Lloyd move
+  double energy_reduction = 0; // relative, by ten iterations; 0 for any
+  double time_limit = 0;       // in seconds; 0 for none
+};
+
+// Minimizes the energy of the tessellation over the free vertices of a mesh.
+//
+// `Energy` evaluates the energy and the moments of the regions, `Mover` brings
+// the vertices to new places and updates the triangulation.
+template <class ConcurrencyTag, class Energy, class Mover, class Visitor>
+class Acvt_optimizer
+{
+public:
+  Acvt_optimizer(Energy& energy, Mover& mover, const Stopping_criteria& criteria, Visitor& visitor)
+    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor), m_precondition(m_free)
+  {
+    m_timer.start();
+    for(const auto v : mover.free_vertices())
+      m_free.push_back(v->index());
+  }
+
+  // The iteration of section 4 of the paper: every vertex moves to the mass
+  // centre of its region.
+  Mesh_optimization_return_code lloyd()
+  {
+    m_state.energy = m_evaluate(m_moments);
+    summarize();
+    for(;;) {
+      Mesh_optimization_return_code code;
+      if(is_finished(code))
+        return code;
+      Vectors target = m_mover.positions();
+      for_each_index<ConcurrencyTag>(target.size(), [&](std::size_t i) {
+        const Vector_of_doubles p = pull(i);
+        target[i] = {target[i].x + p.x, target[i].y + p.y};
+      });
+      m_mover.move_to(target);
+      m_state.energy = m_evaluate(m_moments);
+      summarize();
+      if(m_criteria.energy_reduction > 0 && is_stalled())
+        return CANT_IMPROVE_ANYMORE;
+    }
+  }
+
+  // L-BFGS, preconditioned by an approximation of the inverse of the Hessian.
+  Mesh_optimization_return_code quasi_newton()
+  {
+    evaluate();
+    for(;;) {
+      Mesh_optimization_return_code code;
+      if(is_finished(code))
+        return code;
+      if((!descend() && !restart()) || is_stalled())
+        return CANT_IMPROVE_ANYMORE;
+    }
+  }
+
+private:
+  // Longest step, in the metric: beyond, the model of the energy is void.
+  static constexpr double longest_step = 0.5;
+  static constexpr int    maximum_trials = 6;
+  // The energy jumps a little where elements are quartered or edges flipped.
+  static constexpr double energy_noise = 1e-4;
+  static constexpr std::size_t patience = 10;
+  // A step may raise the energy as long as it stays below the highest one of some
+  // steps before: that saves many evaluations, and noise does not stop the method.
+  static constexpr std::size_t memory_of_energies = 8;
+
+  void evaluate()
+  {
+    if constexpr(Energy::has_couplings)
+      m_state.energy = m_evaluate(m_moments, m_couplings);
+    else
+      m_state.energy = m_evaluate(m_moments);
+    summarize();
+  }
+
+  // from a free vertex to its mass centre
+  Vector_of_doubles pull(std::size_t i) const
+  {
+    Vector_of_doubles p;
+    m_moments[m_free[i]].pull(p.x, p.y);
+    return p;
+  }
+
+  void summarize()
+  {
+    ++m_state.evaluations;
+    std::vector<double> largest(number_of_chunks(m_free.size()), 0.);
+    m_state.displacement = sum_over<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      const Vector_of_doubles p = pull(i);
+      largest[i / size_of_chunk] = (std::max)(largest[i / size_of_chunk], metric_length(i, p));
+      return p.x*p.x + p.y*p.y;
+    });
+    m_state.largest_move = 0;
+    for(double l : largest)
+      m_state.largest_move = (std::max)(m_state.largest_move, l);
+  }
+
+  double metric_length(std::size_t i, const Vector_of_doubles& v) const
+  {
+    return Symmetric_form(m_mover.free_vertices()[i]->metric_tensor()).length(v.x, v.y);
+  }
+
+  bool is_finished(Mesh_optimization_return_code& code)
+  {
+    m_state.seconds = m_timer.time();
+    const bool go_on = m_visitor.iteration(static_cast<const Optimization_state&>(m_state));
+    if(m_free.empty())
+      code = ALL_VERTICES_FROZEN;
+    else if(!go_on)
+      code = BOUND_REACHED;
+    else if(m_state.largest_move <= m_criteria.convergence)
+      code = CONVERGENCE_REACHED;
+    else if(m_state.iteration >= m_criteria.number_of_iterations)
+      code = MAX_ITERATION_NUMBER_REACHED;
+    else if(m_criteria.time_limit > 0 && m_state.seconds >= m_criteria.time_limit)
+      code = TIME_LIMIT_REACHED;
+    else {
+      ++m_state.iteration;
+      return false;
+    }
+    return true;
+  }
+
+  Vectors gradient() const
+  {
+    Vectors g(m_free.size());
+    for_each_index<ConcurrencyTag>(g.size(), [&](std::size_t i) {
+      const Region_moments& m = m_moments[m_free[i]];
+      g[i] = {-2*m.gx, -2*m.gy};
+    });
+    return g;
+  }
+
+  Vectors direction(const Vectors& gradient)
+  {
+    Vectors d = gradient;
+    m_history.direction(d, [&](Vectors& v) { precondition(v); });
+    for_each_index<ConcurrencyTag>(d.size(), [&](std::size_t i) {
+      const double length = metric_length(i, d[i]);
+      if(length > longest_step)
+        d[i] = {d[i].x * longest_step / length, d[i].y * longest_step / length};
+    });
+    return d;
+  }
+
+  void precondition(Vectors& v)
+  {
+    if constexpr(Energy::has_couplings)
+      m_precondition(m_moments, m_couplings, v);
+    else
+      for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
+        m_moments[m_free[i]].solve(v[i].x / 2, v[i].y / 2, v[i].x, v[i].y);
+      });
+  }
+
+  // A step along the quasi-Newton direction, shortened until the energy falls.
+  bool descend()
+  {
+    Vectors start = m_mover.positions(), old_gradient = gradient();
+    const Vectors d = direction(old_gradient);
+    const double old_energy = m_state.energy, bound = highest_recent_energy();
+    const double slope = scalar_product<ConcurrencyTag>(old_gradient, d);
+    if(!(slope < 0))
+      return false;
+    double t = 1;
+    for(int trial = 0; trial < maximum_trials; ++trial) {
+      Vectors target = start;
+      add_multiple<ConcurrencyTag>(target, t, d);
+      m_mover.move_to(target);
+      evaluate();
+      if(m_state.energy <= bound + 1e-4 * t * slope || is_level(old_energy, slope, d)) {
+        remember_step(start, old_gradient);
+        return true;
+      }
+      // the minimum of the parabola through both values with the slope at the start
+      const double best = -slope*t*t / (2 * (m_state.energy - old_energy - slope*t));
+      t = (std::min)(0.5*t, (std::max)(0.1*t, best));
+    }
+    m_mover.move_to(start);
+    evaluate();
+    return false;
+  }
+
+  double highest_recent_energy()
+  {
+    m_recent_energies.push_back(m_state.energy);
+    if(m_recent_energies.size() > memory_of_energies)
+      m_recent_energies.pop_front();
+    return *std::max_element(m_recent_energies.begin(), m_recent_energies.end());
+  }
+
+  // Whether the energy has not risen by more than noise while its slope along d
+  // has lost a good part of its steepness, so that d has been of use.
+  bool is_level(double old_energy, double old_slope, const Vectors& d) const
+  {
+    if(m_state.energy > old_energy * (1 + energy_noise))
+      return false;
+    const double slope = scalar_product<ConcurrencyTag>(gradient(), d);
+    return slope >= 0.8 * old_slope && slope <= -0.8 * old_slope;
+  }
+
+  // Whether the lowest energy so far is older than some iterations.
+  bool is_stalled()
+  {
+    if(m_state.energy < m_lowest_energy * (1 - m_criteria.energy_reduction)) {
+      m_lowest_energy = m_state.energy;
+      m_iteration_of_lowest = m_state.iteration;
+    }
+    return m_state.iteration > m_iteration_of_lowest + patience;
+  }
+
+  // Takes the vectors over, which become the step and the difference of gradients.
+  void remember_step(Vectors& start, Vectors& old_gradient)
+  {
+    const auto& vertices = m_mover.free_vertices();
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      const Vector_of_doubles p = to_doubles(vertices[i]->point());
+      const Region_moments& m = m_moments[m_free[i]];
+      start[i] = {p.x - start[i].x, p.y - start[i].y};
+      old_gradient[i] = {-2*m.gx - old_gradient[i].x, -2*m.gy - old_gradient[i].y};
+    });
+    m_history.add(start, old_gradient);
+  }
+
+  // Forgets what was learnt; nothing is left to try if that was nothing.
+  bool restart()
+  {
+    const bool had_learnt = !m_history.empty();
+    m_history.clear();
+    return had_learnt;
+  }
+
+  Energy&                     m_evaluate;
+  Mover&                      m_mover;
+  Stopping_criteria           m_criteria;
+  Visitor&                    m_visitor;
+  Real_timer                  m_timer;
+  Optimization_state          m_state;
+  std::vector<int>            m_free;     // the indices of the free vertices
+  std::vector<Region_moments> m_moments;  // by index
+  Bisector_hessian            m_couplings;
+  Region_preconditioner<ConcurrencyTag> m_precondition;
+  Lbfgs_history<ConcurrencyTag>         m_history;
+  std::deque<double>          m_recent_energies;
+  double                      m_lowest_energy = std::numeric_limits<double>::infinity();
+  std::size_t                 m_iteration_of_lowest = 0;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_ACVT_OPTIMIZER_H

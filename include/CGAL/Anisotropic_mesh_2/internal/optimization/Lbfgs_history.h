@@ -1,0 +1,111 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_LBFGS_HISTORY_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_LBFGS_HISTORY_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/vector_operations.h>
+
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+// The last steps and differences of gradients, which stand for the inverse
+// Hessian in the two-loop recursion of the L-BFGS method. Kept as directions in
+// single precision, with their lengths apart.
+template <class ConcurrencyTag>
+class Lbfgs_history
+{
+public:
+  explicit Lbfgs_history(std::size_t maximum_size = 5) : m_maximum_size(maximum_size) {}
+
+  void clear() { m_pairs.clear(); }
+  bool empty() const { return m_pairs.empty(); }
+
+  // Pairs without positive curvature would spoil the definiteness and are dropped.
+  void add(const Vectors& step, const Vectors& gradient_difference)
+  {
+    const double s = length(step), y = length(gradient_difference);
+    const double cosine = scalar_product<ConcurrencyTag>(step, gradient_difference) / (s * y);
+    if(!(cosine > 1e-10))
+      return;
+    Pair pair;
+    if(m_pairs.size() == m_maximum_size) { // its memory serves again
+      pair = std::move(m_pairs.front());
+      m_pairs.pop_front();
+    }
+    set_to_quotient(pair.step, step, s);
+    set_to_quotient(pair.difference, gradient_difference, y);
+    pair.cosine = cosine;
+    pair.ratio = s / y;
+    m_pairs.push_back(std::move(pair));
+  }
+
+  // Turns a gradient into minus the product with the inverse Hessian, that of
+  // the beginning being applied by `precondition`.
+  template <class Precondition>
+  void direction(Vectors& v, const Precondition& precondition) const
+  {
+    std::vector<double> alpha(m_pairs.size());
+    for(std::size_t k = m_pairs.size(); k-- > 0;) {
+      const Pair& p = m_pairs[k];
+      alpha[k] = product(p.step, v) / p.cosine;
+      add(v, -alpha[k], p.difference);
+    }
+    precondition(v);
+    for(std::size_t k = 0; k < m_pairs.size(); ++k) {
+      const Pair& p = m_pairs[k];
+      add(v, p.ratio * alpha[k] - product(p.difference, v) / p.cosine, p.step);
+    }
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) { v[i] = {-v[i].x, -v[i].y}; });
+  }
+
+private:
+  struct Vector_of_floats { float x, y; };
+  typedef std::vector<Vector_of_floats> Vectors_of_floats;
+
+  struct Pair
+  {
+    Vectors_of_floats step, difference; // of unit length
+    double cosine, ratio;               // of the angle and of the lengths of the two
+  };
+
+  static double length(const Vectors& v) { return std::sqrt(scalar_product<ConcurrencyTag>(v, v)); }
+
+  static void set_to_quotient(Vectors_of_floats& u, const Vectors& v, double divisor)
+  {
+    u.resize(v.size());
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
+      u[i] = {float(v[i].x / divisor), float(v[i].y / divisor)};
+    });
+  }
+
+  static double product(const Vectors_of_floats& u, const Vectors& v)
+  {
+    return sum_over<ConcurrencyTag>(u.size(), [&](std::size_t i) { return u[i].x*v[i].x + u[i].y*v[i].y; });
+  }
+
+  static void add(Vectors& v, double t, const Vectors_of_floats& u)
+  {
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
+      v[i].x += t*u[i].x;
+      v[i].y += t*u[i].y;
+    });
+  }
+
+  std::size_t      m_maximum_size;
+  std::deque<Pair> m_pairs;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_LBFGS_HISTORY_H

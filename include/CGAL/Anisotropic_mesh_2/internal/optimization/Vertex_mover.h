@@ -1,0 +1,170 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/free_vertices.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+template <class Vertex_handle>
+Vectors positions_of(const std::vector<Vertex_handle>& vertices)
+{
+  Vectors result(vertices.size());
+  for(std::size_t i = 0; i < vertices.size(); ++i)
+    result[i] = to_doubles(vertices[i]->point());
+  return result;
+}
+
+// Moves the free vertices of a mesh in place. A vertex whose move would invert
+// a face goes only a part of its way; afterwards the criterion of the
+// triangulation is restored by flips.
+template <class Mesh, class ConcurrencyTag = Sequential_tag>
+class Vertex_mover
+{
+  typedef typename Mesh::Point           Point;
+  typedef typename Mesh::Vertex_handle   Vertex_handle;
+  typedef typename Mesh::Face_handle     Face_handle;
+
+public:
+  explicit Vertex_mover(Mesh& mesh)
+    : m_mesh(mesh), m_free(internal::free_vertices(mesh))
+  {
+    faces_in_domain(mesh, m_faces);
+  }
+
+  // the vertices that may move, in the order of their indices
+  const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
+
+  Vectors positions() const { return positions_of(m_free); }
+
+  // Moves the free vertices towards `target`; they end there or, where faces
+  // would turn over, on the way. Should the field fail, all stay where they are.
+  void move_to(const Vectors& target)
+  {
+    const Vectors start = positions();
+    place_all(target);
+    untangle(start, target);
+    try {
+      evaluate_tensors();
+    }
+    catch(...) {
+      place_all(start);
+      throw;
+    }
+    restore_connectivity<ConcurrencyTag>(m_mesh, m_faces);
+  }
+
+private:
+  static constexpr int halvings = 6;
+
+  // Halves, again and again, the moves of the free vertices of inverted faces,
+  // until none is left; from some point on the moves are taken back at once.
+  // In each round a vertex is shortened, so that there is an end to it.
+  void untangle(const Vectors& start, const Vectors& target)
+  {
+    std::vector<Face_handle> inverted = inverted_faces();
+    if(inverted.empty())
+      return;
+    std::vector<unsigned char> shortened(m_free.size(), 0);
+    const std::vector<int> ranks = ranks_of_vertices();
+    while(!inverted.empty()) {
+      std::vector<int> to_shorten;
+      for(Face_handle f : inverted)
+        for(int i = 0; i < 3; ++i) {
+          const int rank = ranks[f->vertex(i)->index()];
+          if(rank >= 0 && shortened[rank] <= halvings)
+            to_shorten.push_back(rank);
+        }
+      std::sort(to_shorten.begin(), to_shorten.end());
+      to_shorten.erase(std::unique(to_shorten.begin(), to_shorten.end()), to_shorten.end());
+      for(int i : to_shorten)
+        place(m_free[i], start[i], target[i], ++shortened[i]);
+      inverted = inverted_faces_around(to_shorten);
+    }
+  }
+
+  std::vector<Face_handle> inverted_faces() const
+  {
+    return selected_of_chunks<ConcurrencyTag, Face_handle>(m_faces.size(), [&](std::size_t i, auto& inverted) {
+      if(is_inverted(m_faces[i]))
+        inverted.push_back(m_faces[i]);
+    });
+  }
+
+  std::vector<Face_handle> inverted_faces_around(const std::vector<int>& ranks) const
+  {
+    std::vector<Face_handle> inverted;
+    for(int i : ranks) {
+      auto f = m_mesh.incident_faces(m_free[i]), done(f);
+      do {
+        if(is_inverted(f))
+          inverted.push_back(f);
+      } while(++f != done);
+    }
+    return inverted;
+  }
+
+  // by index, -1 for the vertices that stay
+  std::vector<int> ranks_of_vertices() const
+  {
+    std::vector<int> ranks(m_mesh.vertex_index_bound(), -1);
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      ranks[m_free[i]->index()] = static_cast<int>(i);
+    return ranks;
+  }
+
+  static void place(Vertex_handle v, const Vector_of_doubles& start, const Vector_of_doubles& target, int times)
+  {
+    if(times > halvings) {
+      v->set_point(point_at<Point>(start.x, start.y));
+      return;
+    }
+    const double t = 1. / (1 << times);
+    v->set_point(point_at<Point>(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y)));
+  }
+
+  bool is_inverted(Face_handle f) const
+  {
+    return m_mesh.orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != LEFT_TURN;
+  }
+
+  void place_all(const Vectors& positions)
+  {
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      m_free[i]->set_point(point_at<Point>(positions[i].x, positions[i].y));
+    });
+  }
+
+  // Sets all tensors or, if the field fails at a vertex, none.
+  void evaluate_tensors()
+  {
+    const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
+    m_tensors.resize(m_free.size());
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_tensors[i] = tensor(m_free[i]->point()); });
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_free[i]->set_metric_tensor(m_tensors[i]); });
+  }
+
+  Mesh& m_mesh;
+  std::vector<Vertex_handle> m_free;
+  std::vector<Face_handle>   m_faces; // of the domain; flips only change what they hold
+  std::vector<typename Mesh::Metric_tensor_2> m_tensors;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H

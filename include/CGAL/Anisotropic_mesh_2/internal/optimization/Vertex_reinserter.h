@@ -1,0 +1,99 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_REINSERTER_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_REINSERTER_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+// Moves the free vertices of a mesh by inserting them anew into the stored
+// empty mesh, as section 4 of the paper has it. Vertices keep what they store,
+// handles do not stay valid.
+template <class Mesh>
+class Vertex_reinserter
+{
+  typedef typename Mesh::Point           Point;
+  typedef typename Mesh::Vertex_handle   Vertex_handle;
+  typedef typename Mesh::Face_handle     Face_handle;
+
+public:
+  explicit Vertex_reinserter(Mesh& mesh)
+    : m_mesh(mesh), m_empty(mesh.empty_mesh()), m_free(internal::free_vertices(mesh))
+  {}
+
+  const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
+
+  Vectors positions() const { return positions_of(m_free); }
+
+  // A vertex whose target lies outside of the domain or is taken goes only a
+  // part of its way. Should even its old place be taken, all move in place.
+  void move_to(const Vectors& target)
+  {
+    const Vectors start = positions();
+    Mesh next = m_empty;
+    Face_handle hint;
+    for(std::size_t i : spatial_order(target)) {
+      const Vertex_handle v = insert_on_the_way(next, start[i], target[i], hint);
+      if(v == Vertex_handle()) {
+        Vertex_mover<Mesh>(m_mesh).move_to(target);
+        return;
+      }
+      assign_data(*v, *m_free[i]);
+      hint = v->face();
+    }
+    next.set_vertex_index_bound(m_mesh.vertex_index_bound());
+    restore_connectivity(next);
+    m_mesh.swap(next);
+    m_free = internal::free_vertices(m_mesh);
+  }
+
+private:
+  static constexpr int halvings = 6;
+
+  std::vector<std::size_t> spatial_order(const Vectors& positions) const
+  {
+    std::vector<Point> points;
+    for(const Vector_of_doubles& p : positions)
+      points.push_back(point_at<Point>(p.x, p.y));
+    return internal::spatial_order(points, m_mesh.geom_traits());
+  }
+
+  static Vertex_handle insert_on_the_way(Mesh& mesh, const Vector_of_doubles& start,
+                                         const Vector_of_doubles& target, Face_handle hint)
+  {
+    double t = 1;
+    for(int i = 0; i <= halvings; ++i, t = i < halvings ? t / 2 : 0) {
+      const Point p = point_at<Point>(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y));
+      typename Mesh::Locate_type lt;
+      int li;
+      const Face_handle f = mesh.locate(p, lt, li, hint);
+      if(!mesh.is_field_point(lt, f, li))
+        continue;
+      typename Mesh::Cavity cavity;
+      const auto m = mesh.geom_traits().construct_metric_tensor_2_object()(p);
+      mesh.find_cavity(p, m, lt, f, li, cavity);
+      return mesh.insert_field_point(p, m, cavity);
+    }
+    return Vertex_handle();
+  }
+
+  Mesh& m_mesh;
+  Mesh m_empty;
+  std::vector<Vertex_handle> m_free;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_REINSERTER_H

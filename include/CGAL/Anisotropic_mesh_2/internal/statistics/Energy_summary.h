@@ -1,0 +1,77 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_ENERGY_SUMMARY_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_ENERGY_SUMMARY_H
+
+#include <CGAL/Anisotropic_mesh_2/Measure.h>
+#include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/energy_of_hexagons.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/metric_area.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+// of the tessellations of one or several planar meshes, more exact than the optimizer needs it
+template <class Mesh, class ConcurrencyTag>
+class Energy_summary
+{
+  typedef std::vector<typename Mesh::Face_handle>   Faces;
+  typedef std::vector<typename Mesh::Vertex_handle> Vertices;
+
+public:
+  explicit Energy_summary(Measure measure) : m_measure(measure) {}
+
+  // Adds the energy and the area of `faces`, and the pulls of `vertices`, whose
+  // regions may reach into the `other_faces`.
+  void add(const Mesh& mesh, const Faces& faces, const Faces& other_faces, const Vertices& vertices)
+  {
+    Facewise_energy<Mesh, ConcurrencyTag> energy(mesh, m_measure, Acvt_accuracy{0.01, 0.05, 0.2, 3});
+    std::vector<Region_moments> moments(mesh.vertex_index_bound());
+    m_energy += energy.add_faces(faces, moments);
+    energy.add_faces(other_faces, moments);
+    for(const auto& v : vertices) {
+      double x, y;
+      moments[v->index()].pull(x, y);
+      m_largest_pull = (std::max)(m_largest_pull, Symmetric_form(v->metric_tensor()).length(x, y));
+    }
+    const double area = integral(mesh, faces, 0.5);
+    m_area += area;
+    m_faces += faces.size();
+    m_density_integral += m_measure == Measure::RIEMANNIAN ? area : integral(mesh, faces, 0.25);
+  }
+
+  // Faces that were not added, as nobody can tell their regions, do not count in the ratio.
+  void write_to(Mesh_statistics& statistics) const
+  {
+    if(m_faces == 0)
+      return;
+    statistics.ideal_vertices = ideal_number_of_vertices(m_area);
+    statistics.energy = m_energy;
+    statistics.energy_ratio = m_energy / energy_of_hexagons(m_density_integral, double(m_faces) / 2);
+    statistics.gradient_norm = m_largest_pull;
+  }
+
+private:
+  static double integral(const Mesh& mesh, const Faces& faces, double exponent)
+  {
+    return metric_area<ConcurrencyTag>(mesh, faces, exponent, 1e-5, 30000 + 16 * faces.size());
+  }
+
+  Measure     m_measure;
+  double      m_area = 0, m_density_integral = 0, m_energy = 0, m_largest_pull = 0;
+  std::size_t m_faces = 0;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_ENERGY_SUMMARY_H
