@@ -24,6 +24,9 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 
 MANUAL = pathlib.Path(__file__).resolve().parent
+PROJECT = MANUAL.parents[1]
+sys.path.insert(0, str(PROJECT / "scripts"))
+import layers
 
 Run = collections.namedtuple("Run", "output folder")  # what a command has printed, and where it has written
 
@@ -171,6 +174,11 @@ def copy_output(run, target):
     target.write_text(run.output, encoding="utf-8")
 
 
+def draw_layers(_, target):
+    target.write_text(layers.picture(layers.read_includes(PROJECT / "include")), encoding="utf-8")
+
+
+INCLUDES = "the includes of the headers"
 COST = "cost_against_size.py"  # is not run, since it takes long and wants a machine for itself
 
 # the file of the manual, the command it comes from, and how
@@ -198,6 +206,7 @@ SOURCES = [
     ("fig/surface_saddle_curvature.svg", "paper_surfaces", copy_picture),
     ("fig/graph_surface.svg", "graph_surface", copy_picture),
     ("fig/surface_scan.svg", "remesh_scan", copy_picture),
+    ("fig/layers.svg", INCLUDES, draw_layers),
     ("fig/poisson_error.svg", "poisson_boundary_layer", plot_poisson_errors),
     ("fig/convergence.svg", "convergence", plot_convergence),
     ("fig/quality_histogram.svg", "quality_histogram", plot_quality_histogram),
@@ -236,7 +245,7 @@ def parsed_arguments():
 
 def main():
     arguments = parsed_arguments()
-    runs = {COST: Run(arguments.cost.read_text(encoding="utf-8"), None)}
+    runs = {COST: Run(arguments.cost.read_text(encoding="utf-8"), None), INCLUDES: None}
     with tempfile.TemporaryDirectory() as folder:
         for name, command, make in SOURCES:
             if any(part in name for part in arguments.only):
