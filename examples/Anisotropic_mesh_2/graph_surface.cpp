@@ -20,7 +20,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 int main()
 {
   const auto height = [](const K::Point_2& p) { return std::sin(p.x()) * std::cos(p.y()); };
-  const auto surface = CGAL::make_graph_surface_3<K>(height, {0, 3, 0, 3}); // x and y from 0 to 3
+  const auto surface = CGAL::Anisotropic_mesh_2::make_graph_surface_3<K>(height, {0, 3, 0, 3}); // x and y from 0 to 3
 
   // edges come as close to the surface as 0.002 radii of curvature; sizes from 0.02 to 0.5
   const CGAL::Anisotropic_mesh_2::Curvature_metric_3<std::decay_t<decltype(surface)> > metric(0.002, 0.02, 0.5);

@@ -86,7 +86,7 @@ template <class Surface>
 void test_derivatives(const Surface& surface)
 {
   const Rectangle r = surface.parameters();
-  const auto numerical = CGAL::make_callable_surface_3<K>([&](const Point_2& p) {
+  const auto numerical = CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([&](const Point_2& p) {
     CHECK(r.u_is_periodic || (r.u_min <= p.x() && p.x() <= r.u_max));
     CHECK(r.v_is_periodic || (r.v_min <= p.y() && p.y() <= r.v_max));
     return surface.point(p);
@@ -144,7 +144,7 @@ void test_induced_metrics()
                "saddle, three sizes");
 
   const auto unit = [](const Point_3&) { return 1.; };
-  const auto cone = CGAL::make_callable_surface_3<K>([](const Point_2& x) {
+  const auto cone = CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& x) {
     return Point_3(x.y() * std::cos(x.x()), x.y() * std::sin(x.x()), 2 * x.y());
   }, rectangle(0, 1, 0.1, 1));
   const CGAL::Metric_tensor_2<K> m = CGAL::make_surface_metric_field_2(cone, unit)(p);
@@ -203,7 +203,7 @@ void test_curvatures()
   const double gauss = 4 * -8 / (w*w), mean = ((1 + zy*zy) * 4 + (1 + zx*zx) * -8) / (2 * std::pow(w, 1.5));
   const double root = std::sqrt(mean*mean - gauss);
   check_curvatures(CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>(2, -4, r), Point_2(0.5, 0.5), mean - root, mean + root, "saddle");
-  const auto cylinder = CGAL::make_callable_surface_3<K>([](const Point_2& x) {
+  const auto cylinder = CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& x) {
     return Point_3(2 * std::cos(x.x()), 2 * std::sin(x.x()), x.y());
   }, rectangle(0, 3, 0, 1));
   check_curvatures(cylinder, Point_2(1, 0.5), -0.5, 0, "cylinder");
@@ -242,7 +242,7 @@ template <class Function>
 void check_refusal(const Function& function, const Point_2& p, const std::string& words)
 {
   const auto field = CGAL::make_surface_metric_field_2
-    (CGAL::make_callable_surface_3<K>(function, rectangle(-1, 1, -1, 1)), [](const Point_3&) { return 1.; });
+    (CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>(function, rectangle(-1, 1, -1, 1)), [](const Point_3&) { return 1.; });
   CHECK_THROWS(field(p), CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, words);
 }
 
@@ -257,7 +257,7 @@ void test_refusals()
   check_refusal([=](const Point_2& p) { return Point_3(p.x(), p.y(), p.x() > 0.3 ? nan : 0); }, Point_2(0.5, 0),
                 "not finite at the point (0.5, 0)");
   const auto pole = CGAL::make_surface_metric_field_2
-    (CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(p.y() * p.x(), p.y(), p.y()); },
+    (CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(p.y() * p.x(), p.y(), p.y()); },
                                       rectangle(-1, 1, 0, 1)), [](const Point_3&) { return 1.; });
   CHECK_THROWS(pole(Point_2(0.5, 0)), CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, "by u is zero at the point (0.5, 0)");
   const auto bad_size = CGAL::make_surface_metric_field_2

@@ -310,14 +310,14 @@ void test_developable_surfaces()
 {
   Rectangle r;
   r.u_max = 1.5;
-  check_developable(CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(p.x(), p.y(), 3); }, r),
+  check_developable(CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(p.x(), p.y(), 3); }, r),
                     [](const Point_2& p) { return p; }, "plane");
-  check_developable(CGAL::make_callable_surface_3<K>([](const Point_2& p) {
+  check_developable(CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& p) {
     return Point_3(std::cos(p.x()), std::sin(p.x()), p.y());
   }, r), [](const Point_2& p) { return p; }, "cylinder");
   r.v_min = 1;
   r.v_max = 2;
-  check_developable(CGAL::make_callable_surface_3<K>([](const Point_2& p) { // of 60 degrees
+  check_developable(CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& p) { // of 60 degrees
     return Point_3(p.y() / 2 * std::cos(p.x()), p.y() / 2 * std::sin(p.x()), p.y() * std::sqrt(0.75));
   }, r), [](const Point_2& p) { return Point_2(p.y() * std::sin(p.x() / 2), p.y() * std::cos(p.x() / 2)); }, "cone");
 }
@@ -358,7 +358,7 @@ void test_tube()
   r.u_max = 2 * CGAL_PI;
   r.u_is_periodic = true;
   const auto mesh = CGAL::make_anisotropic_surface_mesh_3(surface_field
-    (CGAL::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(std::cos(p.x()), std::sin(p.x()), p.y()); }, r),
+    (CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>([](const Point_2& p) { return Point_3(std::cos(p.x()), std::sin(p.x()), p.y()); }, r),
      [](const Point_3&) { return 0.15; }));
   const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
   CHECK(euler_characteristic(m) == 0 && !PMP::does_self_intersect(m));
@@ -457,7 +457,7 @@ void test_strict_surface()
     return Point_3(p.x(), p.y(), -p.x() * p.x() - p.y() * p.y());
   };
   const auto mesh = CGAL::make_anisotropic_surface_mesh_3
-    (surface_field(CGAL::make_callable_surface_3<K>(strict, Rectangle()), [](const Point_3&) { return 0.2; }));
+    (surface_field(CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>(strict, Rectangle()), [](const Point_3&) { return 0.2; }));
   CHECK(CGAL::anisotropic_surface_mesh_statistics_3(mesh).distance_max < 0.02);
   CHECK(CGAL::anisotropic_surface_Voronoi_regions_3(mesh).size() == mesh.number_of_vertices());
   CHECK_MSG(outside == 0, std::to_string(outside) + " calls");
@@ -494,13 +494,13 @@ void test_refusals()
   const auto unit = [](const Point_3&) { return 0.2; };
   const auto folded = [](const Point_2& p) { return Point_3(p.x() * p.x(), p.y(), 0); };
   CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(surface_field
-                 (CGAL::make_callable_surface_3<K>(folded, Rectangle()), unit)),
+                 (CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>(folded, Rectangle()), unit)),
                CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, "the derivative of the surface by u is zero at the point (0, ");
   Rectangle r;
   r.u_is_periodic = r.v_is_periodic = true;
   const auto broken = [](const Point_2& p) { return Point_3(std::log(p.x() - 0.5), p.y(), 0); };
   CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(surface_field
-                 (CGAL::make_callable_surface_3<K>(broken, r), unit)),
+                 (CGAL::Anisotropic_mesh_2::make_callable_surface_3<K>(broken, r), unit)),
                CGAL::Anisotropic_mesh_2::Degenerate_parametrization_exception, "of the parameters (u, v)");
   const auto tiny = surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 1), [](const Point_3&) { return 1e-5; });
   CHECK_THROWS(CGAL::make_anisotropic_surface_mesh_3(tiny, np::maximum_number_of_vertices(1000)),
