@@ -9,9 +9,7 @@
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
-#include <CGAL/Metric_tensor_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Boundary_unit_mesher.h>
@@ -20,8 +18,7 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Anisotropic_mesh_2 {
-namespace internal {
+namespace Anisotropic_mesh_2::internal {
 
 template <class Mesh>
 void insert_boundary(Mesh& mesh, const typename Mesh::Boundary_graph& boundary)
@@ -36,25 +33,7 @@ void insert_boundary(Mesh& mesh, const typename Mesh::Boundary_graph& boundary)
     throw Anisotropic_mesh_2::Invalid_domain_exception("the boundary of the domain encloses no area");
 }
 
-// Refuses a metric that asks for too many vertices before the boundary is
-// subdivided: the metric is integrated over the domain as its bare points give
-// it. Where that is a little more than the domain, the field may have no value;
-// then there is no estimate.
-template <class Mesh, class Domain>
-void check_metric_of_domain(const Domain& domain, const typename Mesh::Geom_traits& traits, std::size_t limit)
-{
-  typedef typename Mesh::Kernel Kernel;
-  const Constant_metric_field_2<Kernel> coarse(Metric_tensor_2<Kernel>::from_size(typename Kernel::FT(1e60)));
-  Mesh mesh(traits);
-  insert_boundary(mesh, unit_boundary_graph(domain, coarse, limit, true));
-  try {
-    check_ideal_number_of_vertices(mesh, limit);
-  }
-  catch(const Anisotropic_mesh_2::Invalid_metric_tensor_exception&) {}
-}
-
-} // namespace internal
-} // namespace Anisotropic_mesh_2
+} // namespace Anisotropic_mesh_2::internal
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
@@ -86,7 +65,6 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
     (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
   const bool keep_points = choose_parameter(get_parameter(np, internal::keep_boundary_points_t()), false);
 
-  internal::check_metric_of_domain<Mesh>(domain, traits, limit);
   Mesh mesh(traits);
   internal::insert_boundary(mesh, internal::unit_boundary_graph(domain, traits.construct_metric_tensor_2_object(), limit,
                                                                keep_points));

@@ -8,13 +8,14 @@
 #define CGAL_REFINE_ANISOTROPIC_MESH_2_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Field_point_inserter.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
 #include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 
@@ -62,7 +63,12 @@ std::size_t refine_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL
   const auto placement = choose_parameter
     (get_parameter(np, internal::point_placement_t()), Anisotropic_mesh_2::Point_placement::ADVANCING_FRONT);
 
-  internal::check_ideal_number_of_vertices(mesh, limit);
+  std::vector<internal::Triangle_of_doubles> triangles;
+  for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
+    if(f->is_in_domain())
+      triangles.push_back(internal::triangle_of_doubles(f));
+  internal::check_ideal_number_of_vertices<typename Mesh::Point>
+    (triangles, mesh.geom_traits().construct_metric_tensor_2_object(), limit);
   const std::size_t before = mesh.number_of_vertices();
   internal::Field_point_inserter<Mesh>(mesh, limit)(placement);
   internal::restore_connectivity(mesh);

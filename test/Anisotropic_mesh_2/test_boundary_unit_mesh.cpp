@@ -173,8 +173,17 @@ void test_limits()
   const auto tiny = [](const Point&) { return Tensor::from_size(1e-12); };
   CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), tiny, limit),
                CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "more than the limit of 10000000");
-  CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), [](const Point&) { return Tensor::from_size(0.1); }, 39),
-               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "the metric asks for about 40 vertices on the boundary, more than the limit of 39");
+  CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 0.1)), [](const Point&) { return Tensor::from_size(0.1); }, 21),
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "the metric asks for about 22 vertices on the boundary, more than the limit of 21");
+  // the area, before the boundary is subdivided: no point on it is asked for
+  int on_boundary = 0;
+  const auto dense = [&on_boundary](const Point& p) {
+    on_boundary += p.x() == 0 || p.y() == 0 || p.x() == 1 || p.y() == 1;
+    return Tensor::from_size(1e-4);
+  };
+  CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), dense, limit),
+               CGAL::Anisotropic_mesh_2::Too_many_vertices_exception, "1.1547e+08");
+  CHECK(on_boundary == 0);
   const auto hollow = [](const Point& p) { return Tensor::from_size(p.x() - 0.5); };
   CHECK_THROWS(internal::unit_boundary_graph(polygon(rectangle(1, 1)), hollow, limit),
                CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "at the point (0, 0)");

@@ -16,6 +16,13 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 
 typedef std::array<Vector_of_doubles, 3> Triangle_of_doubles;
 
+// of a face of a triangulation
+template <class Face_handle>
+Triangle_of_doubles triangle_of_doubles(Face_handle f)
+{
+  return {to_doubles(f->vertex(0)->point()), to_doubles(f->vertex(1)->point()), to_doubles(f->vertex(2)->point())};
+}
+
 inline double area(const Triangle_of_doubles& t)
 {
   return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x)) / 2;

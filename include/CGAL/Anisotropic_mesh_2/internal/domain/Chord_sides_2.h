@@ -12,6 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
@@ -53,6 +54,16 @@ public:
   }
 
   const std::vector<Sides>& sides() const { return m_sides; }
+
+  // a triangulation of the inside, as far as the chords tell
+  std::vector<Triangle_of_doubles> inner_triangles() const
+  {
+    std::vector<Triangle_of_doubles> triangles;
+    for(auto f = m_triangulation.finite_faces_begin(); f != m_triangulation.finite_faces_end(); ++f)
+      if(f->info().inside)
+        triangles.push_back(triangle_of_doubles(f));
+    return triangles;
+  }
 
 private:
   typedef Exact_predicates_kernel_of<K>                                                Exact;

@@ -55,6 +55,9 @@ public:
 
   const Pieces& pieces() const { return m_pieces; }
 
+  // a coarse triangulation of the domain
+  const std::vector<Triangle_of_doubles>& triangles() const { return m_triangles; }
+
 private:
   typedef Chord_graph_2<K>                     Graph;
   typedef typename Chord_sides_2<K>::Sides     Sides;
@@ -119,9 +122,10 @@ private:
                                                      : parameters_of_flat_parts(piece.curve, flat_angle));
     const auto middle = [](std::size_t, double t0, double t1) { return (t0 + t1) / 2; };
     const Graph graph = separate_chords<K>(m_pieces, parameters, middle);
-    const std::vector<Sides> sides = Chord_sides_2<K>(graph, m_pieces, m_rule, holes).sides();
-    check_area(sides);
-    apply(graph, sides);
+    const Chord_sides_2<K> chord_sides(graph, m_pieces, m_rule, holes);
+    check_area(chord_sides.sides());
+    m_triangles = chord_sides.inner_triangles();
+    apply(graph, chord_sides.sides());
   }
 
   void check_area(const std::vector<Sides>& sides) const
@@ -175,8 +179,9 @@ private:
         refuse_open(piece.curve.source());
   }
 
-  Domain_rule m_rule;
-  Pieces      m_pieces;
+  Domain_rule                      m_rule;
+  Pieces                           m_pieces;
+  std::vector<Triangle_of_doubles> m_triangles;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -13,6 +13,8 @@
 #include <CGAL/Anisotropic_mesh_2/internal/domain/curve_turning.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_preparation.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Riemannian_length_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_separator.h>
 
 #include <algorithm>
@@ -143,6 +145,18 @@ private:
   Parameters                     m_parameters;
 };
 
+// Refuses a metric that asks for too many vertices before the boundary is
+// subdivided. Where the chords of curves enclose a little more than the domain,
+// the field may have no value; then there is no estimate.
+template <class K, class Field>
+void check_metric_of_domain(const Domain_preparation<K>& domain, const Field& field, std::size_t max_vertices)
+{
+  try {
+    check_ideal_number_of_vertices<typename K::Point_2>(domain.triangles(), field, max_vertices);
+  }
+  catch(const Invalid_metric_tensor_exception&) {}
+}
+
 // The straight graph that bounds the unit mesh of a domain. Boundary segments
 // have the domain on their left side: whatever the rule of the domain was,
 // exactly one side of such a segment is inside.
@@ -150,12 +164,13 @@ private:
 // \param keep_points takes segments as they are; curves are still subdivided
 // Throws Invalid_domain_exception, Invalid_metric_tensor_exception naming the
 // point, and Too_many_vertices_exception if the pieces want more than
-// `max_vertices` points.
+// `max_vertices` points, or the domain half as many again.
 template <class K, class Field>
 Boundary_graph_2<K> unit_boundary_graph(const Anisotropic_mesh_domain_2<K>& domain, const Field& field,
                                       std::size_t max_vertices, bool keep_points = false)
 {
   const Domain_preparation<K> prepared(domain.pieces(), domain.rule(), domain.holes());
+  check_metric_of_domain(prepared, field, max_vertices);
   const auto& pieces = prepared.pieces();
   const Chord_graph_2<K> graph = Boundary_unit_mesher<K, Field>(pieces, field, max_vertices, keep_points)();
   Boundary_graph_2<K> mesh;

@@ -13,7 +13,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/energy_of_hexagons.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/metric_area.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,7 +64,9 @@ public:
 private:
   static double integral(const Mesh& mesh, const Faces& faces, double exponent)
   {
-    return metric_area<ConcurrencyTag>(mesh, faces, exponent, 1e-5, 30000 + 16 * faces.size());
+    return metric_area<ConcurrencyTag, typename Mesh::Point>
+      (faces.size(), [&](std::size_t k) { return triangle_of_doubles(faces[k]); },
+       mesh.geom_traits().construct_metric_tensor_2_object(), exponent, 1e-5, 30000 + 16 * faces.size());
   }
 
   Measure     m_measure;
