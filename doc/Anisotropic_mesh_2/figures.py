@@ -13,15 +13,21 @@ measured here. Plots need matplotlib.
 
 import argparse
 import collections
+import functools
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt
+import numpy
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
 
 MANUAL = pathlib.Path(__file__).resolve().parent
 PROJECT = MANUAL.parents[1]
@@ -60,6 +66,14 @@ def save(figure, target):
         axes.minorticks_off()
     figure.savefig(target, metadata={"Date": None, "Creator": None})
     plt.close(figure)
+
+
+def save_compactly(figure, target):
+    """Two digits after the point are enough for paths of thousands of triangles."""
+    save(figure, target)
+    shorten = functools.partial(re.sub, r"(\d\.\d\d)\d+", r"\1")
+    target.write_text(re.sub(r' d="[^"]*"', lambda path: shorten(path[0]), target.read_text(encoding="utf-8")),
+                      encoding="utf-8")
 
 
 # ------------------------------------------------------------------ tables that are plotted
@@ -164,6 +178,233 @@ def plot_cost_against_size(run, target):
     save(figure, target)
 
 
+# ------------------------------------------------------------------ pictures that explain the method
+
+Panel = collections.namedtuple("Panel", "title lines")  # lines: what a line is called -> the numbers of each
+
+FILLS = ["#fbe3a0", "#bcd7ee", "#c9e6c3", "#f0c5c0", "#dccbe8", "#e5e5e5"]
+QUALITIES = matplotlib.colormaps["YlGnBu_r"]
+
+
+def panels_of(text, picture):
+    found = []
+    for line in text.splitlines():
+        head, *rest = line.split()
+        if head == "panel":
+            name, _, title = line[len("panel "):].partition(" ")
+            current = Panel(title.split("|"), collections.defaultdict(list))
+            if name == picture:
+                found.append(current)
+        else:
+            current.lines[head].append([float(number) for number in rest])
+    return found
+
+
+def points_of(numbers):
+    return list(zip(numbers[0::2], numbers[1::2]))
+
+
+def draw_polygons(axes, polygons, **style):
+    path = Path.make_compound_path(*(Path(p + p[:1], closed=True) for p in polygons))
+    axes.add_patch(PathPatch(path, **{"linewidth": 0.5, "edgecolor": "#333333", "facecolor": "none", **style}))
+
+
+def draw_mesh(axes, panel, **style):
+    draw_polygons(axes, [points_of(face[:6]) for face in panel.lines["face"]], **style)
+
+
+def draw_regions(axes, panel):
+    """Neighbours may have the same of the soft colours; their border tells them apart."""
+    for i, fill in enumerate(FILLS):
+        polygons = [points_of(region) for region in panel.lines["region"][i::len(FILLS)]]
+        if polygons:
+            draw_polygons(axes, polygons, facecolor=fill, edgecolor="#555555")
+
+
+def draw_qualities(axes, panel):
+    """Twelve tones from 0.4 to 1, one patch for each."""
+    tones = collections.defaultdict(list)
+    for *corners, quality in panel.lines["face"]:
+        tones[min(max(int((quality - 0.4) * 20), 0), 11)].append(points_of(corners))
+    for tone, polygons in sorted(tones.items()):
+        draw_polygons(axes, polygons, facecolor=QUALITIES((tone + 0.5) / 12), edgecolor="#222222", linewidth=0.3)
+
+
+def ellipse(tensor, centre, radius=1.):
+    """The points whose vector from the centre has the length `radius` in the tensor."""
+    m11, m12, m22 = tensor
+    root = numpy.linalg.inv(numpy.linalg.cholesky([[m11, m12], [m12, m22]]).T)
+    angles = numpy.linspace(0, 2 * numpy.pi, 73)[:-1]
+    circle = radius * numpy.array([numpy.cos(angles), numpy.sin(angles)])
+    return [tuple(p) for p in (numpy.array(centre)[:, None] + root @ circle).T]
+
+
+def circumscribed(tensor, corners):
+    """The ellipse through three points that is a circle in the tensor."""
+    m = numpy.array([[tensor[0], tensor[1]], [tensor[1], tensor[2]]])
+    a, b, c = map(numpy.array, corners)
+    rows = numpy.array([2 * m @ (b - a), 2 * m @ (c - a)])
+    centre = numpy.linalg.solve(rows, [b @ m @ b - a @ m @ a, c @ m @ c - a @ m @ a])
+    return ellipse(tensor, centre, numpy.sqrt((a - centre) @ m @ (a - centre)))
+
+
+def map_axes(rows, columns, height, titles):
+    figure, axes = plt.subplots(rows, columns, figsize=(7, height), layout="constrained", squeeze=False)
+    for axis, title in zip(axes.flat, titles):
+        axis.set(title=title, aspect="equal")
+        axis.axis("off")
+    return figure, list(axes.flat)
+
+
+def fit(axes):
+    for axis in axes:
+        axis.autoscale_view()
+
+
+def draw_unit_triangle(_, target):
+    h1, h2, theta = 2., 0.8, 0.45
+    turn = numpy.array([[numpy.cos(theta), -numpy.sin(theta)], [numpy.sin(theta), numpy.cos(theta)]])
+    stretch = turn @ numpy.diag([h1, h2])
+    corners = numpy.array([[0, 0]] + [[numpy.cos(t), numpy.sin(t)] for t in (3.6, 3.6 + numpy.pi / 3)])
+    figure, axes = map_axes(1, 2, 2.5, ["a unit triangle in the plane",
+                                        r"the same, mapped by $M^{1/2}$"])
+    for axis, images in zip(axes, (stretch, numpy.eye(2))):
+        circle = [tuple(images @ [numpy.cos(t), numpy.sin(t)]) for t in numpy.linspace(0, 2 * numpy.pi, 97)[:-1]]
+        draw_polygons(axis, [circle], facecolor="#e8f0f8", edgecolor=GOOD, linewidth=1.2)
+        draw_polygons(axis, [[tuple(images @ p) for p in corners]], facecolor="#fbe3a0", linewidth=1.2)
+        for vector, text in (([1, 0], "$h_1$"), ([0, 1], "$h_2$")):
+            end = images @ vector
+            axis.annotate("", end, (0, 0), arrowprops=dict(arrowstyle="->", color=MIDDLING, linewidth=1.2))
+            axis.annotate(text if axis is axes[0] else "1", end, xytext=6 * end / numpy.linalg.norm(end) + [-3, -3],
+                          textcoords="offset points", color=MIDDLING)
+    fit(axes)
+    save(figure, target)
+
+
+def draw_method(run, target):
+    metric, mesh, regions = panels_of(run.output, "method")
+    figure, axes = map_axes(1, 3, 2.5, [p.title[0] for p in (metric, mesh, regions)])
+    draw_polygons(axes[0], [[(0, 0), (4, 0), (4, 4), (0, 4)]])
+    draw_polygons(axes[0], [ellipse(line[2:], line[:2], 0.5) for line in metric.lines["tensor"]],
+                  facecolor="#e8f0f8", edgecolor=GOOD, linewidth=1)
+    draw_mesh(axes[1], mesh)
+    draw_regions(axes[2], regions)
+    fit(axes)
+    save_compactly(figure, target)
+
+
+def draw_cases(run, target):
+    found = panels_of(run.output, "cases")
+    figure, axes = map_axes(2, 3, 4.8, [p.title[0] for p in found])
+    for axis, panel in zip(axes, found):
+        draw_mesh(axis, panel, linewidth=0.3)
+    fit(axes)
+    save_compactly(figure, target)
+
+
+def draw_cavity(run, target):
+    found = panels_of(run.output, "cavity")
+    figure, axes = map_axes(1, 3, 2.5, [p.title[0] for p in found])
+    holder = points_of(found[0].lines["face"][0][:6])
+    draw_polygons(axes[0], [holder], facecolor="#fbe3a0", linewidth=1)
+    for i, line in enumerate(found[0].lines["tensor"]):
+        colour = MIDDLING if i == 0 else GOOD
+        draw_polygons(axes[0], [circumscribed(line[2:], holder)], edgecolor=colour, linewidth=0.9)
+        axes[0].plot(*line[:2], "o", color=colour)
+        axes[0].annotate("pabc"[i], line[:2], xytext=(4, 4), textcoords="offset points", color=colour)
+    for axis, panel in zip(axes[1:], found[1:]):
+        draw_mesh(axis, panel, edgecolor="#888888")
+        cavity = [points_of(face[:6]) for face in panel.lines["cavity"]]
+        draw_polygons(axis, cavity, facecolor="#fbe3a0", linewidth=0.9)
+        axis.plot(*panel.lines["point"][0], "o", color=MIDDLING)
+        corners = numpy.array([corner for face in cavity for corner in face])
+        middle, reach = (corners.min(0) + corners.max(0)) / 2, numpy.ptp(corners, 0).max()
+        axis.set(xlim=middle[0] + numpy.array([-1, 1]) * reach, ylim=middle[1] + numpy.array([-1, 1]) * reach)
+    fit(axes[:1])
+    save_compactly(figure, target)
+
+
+def draw_bisector(run, target):
+    panel, = panels_of(run.output, "bisector")
+    corners = points_of(panel.lines["face"][0][:6])
+    regions = [points_of(region) for region in panel.lines["region"]]
+    centre, = set(regions[0]) & set(regions[1]) & set(regions[2])
+    figure, axes = plt.subplots(figsize=(4.2, 3.2), layout="constrained")
+    for region, fill in zip(regions, FILLS):
+        draw_polygons(axes, [region], facecolor=fill, linewidth=1)
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        middle = tuple((numpy.array(corners[i]) + corners[j]) / 2)
+        axes.plot(*zip(middle, centre), color=MIDDLING, linestyle="--", linewidth=1)
+        axes.plot(*middle, "s", color=MIDDLING)
+    axes.plot(*centre, "o", color=MIDDLING)
+    axes.plot(*zip(*corners), "o", color=GOOD)
+    axes.set(aspect="equal")
+    axes.axis("off")
+    save(figure, target)
+
+
+def draw_parameter(run, target):
+    found = panels_of(run.output, target.stem[len("parameter_"):])
+    figure, axes = map_axes(1, len(found), 6.0 / len(found) + 0.7, ["\n".join(p.title) for p in found])
+    for axis, panel in zip(axes, found):
+        axis.title.set_fontsize(8 if len(found) < 4 else 6)
+        draw_qualities(axis, panel)
+    fit(axes)
+    bar = figure.colorbar(matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(0.4, 1), QUALITIES),
+                          ax=axes, shrink=0.7, pad=0.01, aspect=25)
+    bar.set_label("quality of triangles", fontsize=7)
+    bar.ax.tick_params(labelsize=6)
+    save_compactly(figure, target)
+
+
+# concept: its models in the package, and what has a template parameter for it
+CONCEPTS = {
+    "MetricField_2": (
+        "any function object from a point to a tensor, such as a lambda; Constant_, Isotropic_, Oriented_sizes_, "
+        "Gradient_, Hessian_, Discrete_metric_field_2; Surface_metric_field_2",
+        "make_anisotropic_mesh_2(), Riemannian_metric_traits_2; of a surface: Anisotropic_surface_mesh_3"),
+    "RiemannianMetricTraits_2": (
+        "Riemannian_metric_traits_2",
+        "Constrained_anisotropic_Delaunay_triangulation_2, Anisotropic_Delaunay_mesh_2, both bases"),
+    "AnisotropicMeshVertexBase_2": (
+        "Anisotropic_mesh_vertex_base_2 over any vertex base of a triangulation",
+        "Constrained_anisotropic_Delaunay_triangulation_2, Anisotropic_Delaunay_mesh_2"),
+    "AnisotropicMeshFaceBase_2": (
+        "Anisotropic_mesh_face_base_2 over any face base of a constrained triangulation",
+        "Anisotropic_Delaunay_mesh_2"),
+    "VoronoiDistance_2": (
+        "Directional_distance_2, the default; Labelle_Shewchuk_distance_2, Multiplicative_weight_distance_2",
+        "Anisotropic_Voronoi_diagram_2"),
+    "ParametricSurface_3": (
+        "Callable_surface_3, Parametric_ellipsoid_3, Parametric_torus_3, Quadratic_graph_surface_3, "
+        "Triangulated_surface_3",
+        "Surface_metric_field_2, Curvature_metric_3, principal_curvatures_3()")}
+
+
+def draw_concepts(_, target):
+    """A row per concept: models on the left, who needs one on the right."""
+    body, y = [], 34
+    for x, head in ((10, "models"), (415, "concept"), (690, "needed by")):
+        body.append(layers.text(x, 20, head, "head"))
+    for name, (models, users) in CONCEPTS.items():
+        left, right = (textwrap.wrap(text, width) for text, width in ((models, 62), (users, 52)))
+        height = 14 + 16 * max(len(left), len(right))
+        boxes = (1, 360, "#f3f3f3", left), (400, 240, "#dbe8f5", []), (680, 319, "#f3f3f3", right)
+        for x, width, fill, lines in boxes:
+            body.append(f'<rect x="{x}" y="{y}" width="{width}" height="{height}" rx="4" fill="{fill}" stroke="#888"/>')
+            body += [layers.text(x + 8, y + 19 + 16 * i, line, "list") for i, line in enumerate(lines)]
+        body.append(layers.text(520, y + height / 2 + 5, name, "head", text_anchor="middle"))
+        for x in (361, 641):
+            body.append(f'<path d="M{x} {y + height / 2}h30" stroke="#444" marker-end="url(#tip)"/>')
+        y += height + 10
+    style = ("text { font-family: Helvetica, Arial, sans-serif; } .head { font-size: 14px; font-weight: bold; } "
+             ".list { font-size: 12px; }")
+    tip = '<marker id="tip" markerWidth="9" markerHeight="8" refY="4"><path d="M0 0L9 4L0 8z" fill="#444"/></marker>'
+    head = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1000 {y}" width="1000" height="{y}">',
+            f"<style>{style}</style><defs>{tip}</defs>", f'<rect width="1000" height="{y}" fill="white"/>']
+    target.write_text("\n".join([*head, *body, "</svg>", ""]), encoding="utf-8")
+
+
 # ------------------------------------------------------------------ what comes from where
 
 def copy_picture(run, target):
@@ -179,6 +420,7 @@ def draw_layers(_, target):
 
 
 INCLUDES = "the includes of the headers"
+NOTHING = "nothing"
 COST = "cost_against_size.py"  # is not run, since it takes long and wants a machine for itself
 
 # the file of the manual, the command it comes from, and how
@@ -207,6 +449,17 @@ SOURCES = [
     ("fig/graph_surface.svg", "graph_surface", copy_picture),
     ("fig/surface_scan.svg", "remesh_scan", copy_picture),
     ("fig/layers.svg", INCLUDES, draw_layers),
+    ("fig/concepts.svg", NOTHING, draw_concepts),
+    ("fig/unit_triangle.svg", NOTHING, draw_unit_triangle),
+    ("fig/method.svg", "teaching_figures", draw_method),
+    ("fig/cases.svg", "teaching_figures", draw_cases),
+    ("fig/cavity.svg", "teaching_figures", draw_cavity),
+    ("fig/bisector.svg", "teaching_figures", draw_bisector),
+    ("fig/parameter_measure.svg", "teaching_figures", draw_parameter),
+    ("fig/parameter_point_placement.svg", "teaching_figures", draw_parameter),
+    ("fig/parameter_number_of_iterations.svg", "teaching_figures", draw_parameter),
+    ("fig/parameter_region_evaluation.svg", "teaching_figures", draw_parameter),
+    ("fig/parameter_topological_moves.svg", "teaching_figures", draw_parameter),
     ("fig/poisson_error.svg", "poisson_boundary_layer", plot_poisson_errors),
     ("fig/convergence.svg", "convergence", plot_convergence),
     ("fig/quality_histogram.svg", "quality_histogram", plot_quality_histogram),
@@ -245,7 +498,7 @@ def parsed_arguments():
 
 def main():
     arguments = parsed_arguments()
-    runs = {COST: Run(arguments.cost.read_text(encoding="utf-8"), None), INCLUDES: None}
+    runs = {COST: Run(arguments.cost.read_text(encoding="utf-8"), None), INCLUDES: None, NOTHING: None}
     with tempfile.TemporaryDirectory() as folder:
         for name, command, make in SOURCES:
             if any(part in name for part in arguments.only):
