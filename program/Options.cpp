@@ -100,19 +100,19 @@ void declare_methods(CLI::App& app, Options& options)
   declare_choice(app, "--optimizer", options.optimizer,
                  {{"none", Optimizer::NONE}, {"lloyd", Optimizer::LLOYD}, {"lbfgs", Optimizer::LBFGS}},
                  "none, lloyd or lbfgs; default lbfgs");
-  app.add_option("--iterations", options.iterations, "at most so many iterations; default 100")
+  app.add_option("--iterations", options.iterations, "the largest number of iterations; default 100")
     ->type_name("N")->group(group)->check(integer_from(0));
   app.add_option("--tolerance", options.tolerance,
                  "stop when no vertex would move by more, measured in the metric; default 0.001")
     ->type_name("T")->group(group)->check(number_from_zero());
-  app.add_option("--time-limit", options.time_limit, "stop the optimizer after so many seconds")
+  app.add_option("--time-limit", options.time_limit, "stop the optimizer after this number of seconds")
     ->type_name("SEC")->group(group)->check(positive_number());
   declare_choice(app, "--measure", options.measure,
                  {{"riemannian", Measure::RIEMANNIAN}, {"lebesgue", Measure::LEBESGUE}},
                  "riemannian or lebesgue; default riemannian");
   app.add_flag("--keep-boundary", options.keep_boundary, "take the given boundary points as they are")
     ->group(group);
-  app.add_option("--threads", options.threads, "work in so many threads, with the same result; default 1")
+  app.add_option("--threads", options.threads, "number of threads; the result is the same; default 1")
     ->type_name("N")->group(group)->check(integer_from(1));
   app.add_option("--seed", options.seed, "accepted; the method has no random choices")
     ->type_name("N")->group(group)->check(integer_from(0));

@@ -16,7 +16,7 @@
 
 namespace program {
 
-// Tells on standard error what is going on: always if asked, never if told to
+// Reports progress on standard error: always if asked, never if asked to
 // be quiet, else if somebody is there to read. A terminal keeps one line for
 // all iterations.
 class Progress

@@ -83,7 +83,7 @@ void ignore_violation(const char*, const char*, const char*, int, const char*) {
 int main(int argc, char** argv)
 {
   using namespace program;
-  CGAL::set_error_handler(ignore_violation); // the exception that follows tells the same in one line
+  CGAL::set_error_handler(ignore_violation); // the exception that follows says the same in one line
   try {
     const Options options = parse_options(argc, argv);
     if(options.answer.empty())

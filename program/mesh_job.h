@@ -38,7 +38,7 @@ namespace program {
 typedef CGAL::Riemannian_metric_traits_2<Kernel, Metric_field>  Traits;
 typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits>               Mesh;
 
-// What statistics of the mesh alone do not tell.
+// What the statistics of the mesh alone do not say.
 struct Run_report
 {
   std::size_t iterations = 0;

@@ -78,7 +78,7 @@ def square4(name, scale=1):
 
 
 def scale_of_square4(vertices):
-    """The scale at which a unit mesh of square4 has so many vertices."""
+    """The scale at which a unit mesh of square4 has this number of vertices."""
     return round(math.sqrt(226.88 / vertices), 6)
 
 

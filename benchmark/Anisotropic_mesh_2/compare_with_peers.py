@@ -40,7 +40,7 @@ Medians of {repeat} runs; CPU is user time. Quality, unit share and energy ratio
 passes (3 from 50 000 vertices on, 2 from 500 000); neither that mesh nor the evaluation of the metric
 between the passes is counted. The other meshers start from the domain and evaluate the metric themselves.
 The peak is at least 10 MB, those of the process that measures. gmsh 4.8 mistakes the axes of tensors
-unless they are at multiples of 45 degrees, so there its rows of polar-2 tell nothing.
+unless they are at multiples of 45 degrees, so there its rows of polar-2 mean nothing.
 """
 
 
@@ -62,7 +62,7 @@ def chosen_meshers(bench, peers, threads):
 
 
 def row_of(bench, case, name, mesh, ideal_vertices, repeat):
-    """What the table tells about one mesher on one case, or why it tells nothing."""
+    """What the table says about one mesher on one case, or why it says nothing."""
     row = {"case": case.name, "mesher": name}
     path = bench.path("result.mesh")
     try:

@@ -56,7 +56,7 @@ class Tester:
 
 
 def test_own_statistics(t):
-    """Of a mesh that the program wrote, the judge tells what the program told."""
+    """Of a mesh that the program wrote, the judge says what the program said."""
     for name in ("disc", "square4"):
         mesh, file = t.bench.path("own.mesh"), t.bench.path("own.json")
         domain = ["builtin:" + name, "--scale", "1.5"]

@@ -6,7 +6,7 @@
 # Author(s)     : the Anisotropic_mesh_2 developers
 """Runs the program, and bamg if asked, on square4 at several sizes and prints what a vertex costs.
 
-Seconds of the program are wall time, as its statistics tell them; those of bamg
+Seconds of the program are wall time, from its statistics; those of bamg
 are CPU time of all passes, with reading and writing.
 """
 

@@ -168,7 +168,7 @@ void ignore_violation(const char*, const char*, const char*, int, const char*) {
 
 int main(int argc, char** argv)
 {
-  CGAL::set_error_handler(ignore_violation); // the exception that follows tells the same in one line
+  CGAL::set_error_handler(ignore_violation); // the exception that follows says the same in one line
   if(argc < 3) {
     std::cerr << "usage: judge_mesh MESH.mesh DOMAIN [options of anisotropic_mesh_2 for metric and measure]\n";
     return 2;

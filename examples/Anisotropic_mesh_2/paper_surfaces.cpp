@@ -23,7 +23,7 @@ using Tensor_3  = CGAL::Metric_tensor_3<K>;
 using Saddle    = CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K>;
 using Rectangle = CGAL::Anisotropic_mesh_2::Parameter_rectangle;
 
-// meshes a surface, draws it, and tells whether it is as good as the paper's
+// meshes a surface, draws it, and returns whether it is as good as the paper's
 template <class Surface, class Metric>
 bool mesh_surface(const std::string& name, const Surface& surface, const Metric& metric, double mean_of_paper)
 {

@@ -1,4 +1,4 @@
-// The anisotropic Voronoi tessellation of an optimized mesh: what regions and bisectors tell, and how near
+// The anisotropic Voronoi tessellation of an optimized mesh: what regions and bisectors offer, and how near
 // to a centroidal tessellation it is.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

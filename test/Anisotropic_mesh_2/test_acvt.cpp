@@ -349,7 +349,7 @@ void test_ways_to_move(const Case& c)
 }
 
 // Energy and gradient agree well enough, even where the metric turns or changes
-// within an element, that few steps are tried in vain.
+// within an element, that few trial steps are rejected.
 void test_evaluations_of_rough_metrics(const Case& c)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);

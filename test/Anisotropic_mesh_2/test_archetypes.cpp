@@ -293,7 +293,7 @@ void test_approximation_errors(const Mesh& mesh)
   CHECK(CGAL::piecewise_constant_approximation_error_2(Faces_as_regions<Mesh>(mesh), f).l2 > 0);
 }
 
-// a mesh, or any constrained triangulation of CGAL whose faces tell whether they are in the domain
+// a mesh, or any constrained triangulation of CGAL whose faces know whether they are in the domain
 template <class Tr>
 void test_writers(const Tr& tr)
 {

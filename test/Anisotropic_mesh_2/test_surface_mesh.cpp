@@ -380,7 +380,7 @@ struct Obeying_visitor
 };
 
 // The optimizer alone, on a closed mesh and on one with a border: it lowers the energy
-// and tells why it stopped.
+// and says why it stopped.
 void test_optimizer()
 {
   const auto optimize = [](auto& mesh, int iterations, double seconds = 0, bool goes_on = true) {

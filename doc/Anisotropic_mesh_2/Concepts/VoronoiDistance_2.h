@@ -1,7 +1,7 @@
 /// \ingroup PkgAnisotropicMesh2Concepts
 /// \cgalConcept
 ///
-/// The concept `VoronoiDistance_2` tells by which tensor the distance from a
+/// The concept `VoronoiDistance_2` says by which tensor the distance from a
 /// point of the plane to a generator is measured: the squared distance is the
 /// squared length of the vector between both in that tensor (section 2.3 of \cgalCite{dw-acvt-05}).
 ///
