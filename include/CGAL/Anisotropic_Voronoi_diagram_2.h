@@ -47,15 +47,15 @@ namespace CGAL {
 /// domain, and neighboring pieces have the points of their common bisector in common.
 ///
 /// The faces of the triangulation are bisected until the tensors at their
-/// corners and in their middle tell that at most three generators are nearest
-/// in it, and which. Bisectors are traced by root finding. Features of the
+/// corners and in their middle show that at most three generators are nearest
+/// in each, and which. Bisectors are traced by root finding. Features of the
 /// metric that escape all these samples are not seen, and below the tolerance
 /// nothing is resolved: tips of regions that are narrower may be taken for
 /// orphans. In the wildest metrics the bisection ends early, at 200000 vertices
 /// and 200 more per generator. All is computed in `double`, whatever the kernel.
 ///
 /// For a smooth metric and a mesh of good quality, the construction takes
-/// \f$ O(n \log n) \f$ time with few evaluations of the field per face.
+/// \f$ O(n \log n) \f$ time with a few evaluations of the field per face.
 ///
 /// \tparam Mesh_ an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam Distance_ a model of `VoronoiDistance_2`.

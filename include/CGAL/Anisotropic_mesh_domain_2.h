@@ -29,7 +29,7 @@ namespace CGAL {
 /// A domain of the plane, bounded by closed loops of curve pieces, with inner
 /// curves that become edges of its mesh (the input of section 3.2 of \cgalCite{dw-acvt-05}).
 ///
-/// The `rule()` tells inside from outside. By default, crossing a loop toggles
+/// The `rule()` decides what is inside. By default, crossing a loop toggles
 /// (even-odd), so that a loop within another one is a hole; with the first call
 /// of `add_hole()`, outside is what is reached from infinity or from a hole's
 /// seed without crossing any curve. Where two boundary pieces coincide, they
@@ -55,7 +55,7 @@ public:
   typedef typename K::FT                                           FT;          ///< its number type
   typedef typename K::Point_2                                      Point_2;     ///< its points
   typedef Anisotropic_mesh_2::Curve_piece_2<K>                                         Curve_piece; ///< a piece of a curve
-  typedef Anisotropic_mesh_2::Domain_rule                          Domain_rule; ///< how inside is told
+  typedef Anisotropic_mesh_2::Domain_rule                          Domain_rule; ///< what decides what is inside
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>      Graph;       ///< what files hold
   typedef typename Graph::Region                                   Region;      ///< a seed and its reference
 
@@ -170,14 +170,14 @@ public:
     m_regions.push_back(Region{seed, reference});
   }
 
-  /// sets how inside is told from outside.
+  /// sets the rule that decides what is inside.
   void set_rule(Domain_rule rule) { m_rule = rule; }
   /// @}
 
   /// \name Access
   /// @{
 
-  /// how inside is told from outside: `EVEN_ODD` unless `add_hole()` or `set_rule()` was called.
+  /// the rule that decides what is inside: `EVEN_ODD` unless `add_hole()` or `set_rule()` was called.
   Domain_rule rule() const { return m_rule; }
 
   /// the seeds of the holes, as they were added.
@@ -186,7 +186,7 @@ public:
   /// the seeds of subdomains with their references, as they were added.
   const std::vector<Region>& regions() const { return m_regions; }
 
-  /// tells whether there are no curves at all.
+  /// returns whether there are no curves at all.
   bool empty() const { return m_pieces.empty(); }
 
   /// the number of curve pieces.

@@ -13,7 +13,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// The face base of anisotropic meshes: it tells whether the face belongs to
+/// The face base of anisotropic meshes: it stores whether the face belongs to
 /// the domain, and to which subdomain.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.

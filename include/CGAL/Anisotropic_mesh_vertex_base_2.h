@@ -16,7 +16,7 @@ namespace CGAL {
 /// The vertex base of anisotropic triangulations: it keeps the metric tensor of
 /// the vertex's position, so that the field is evaluated once per vertex, and
 /// its index, which stays the same while the vertex moves and when an optimizer
-/// builds the triangulation anew.
+/// rebuilds the triangulation.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Vb a model of `TriangulationVertexBase_2`.

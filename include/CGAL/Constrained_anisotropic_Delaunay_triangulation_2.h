@@ -463,9 +463,9 @@ public:
   /// flips the given edges, and then those around the flipped ones, until all
   /// are locally Delaunay.
   ///
-  /// This ends by itself where all tensors that come into it are multiples of
+  /// This ends by itself where all tensors involved are multiples of
   /// one, as with a constant or an isotropic metric. With different tensors flips
-  /// might follow each other in a circle; therefore, after a number of flips
+  /// might go around in a circle; therefore, after a number of flips
   /// proportional to that of the edges, each must also raise the smallest angle
   /// of the two faces, measured in the mean of the tensors of the vertices of each;
   /// and since rounding errors may make even angles rise in a circle, there is a
@@ -530,8 +530,8 @@ public:
   /// - 2: also the criterion, if the tensors of all vertices are multiples of one:
   ///   every edge is locally Delaunay, or constrained. This holds in constant and
   ///   isotropic metrics; where vertices of other tensors were there and have been
-  ///   removed, it need not. How far any other triangulation is Delaunay tells
-  ///   `anisotropic_Delaunay_consistency_2()`.
+  ///   removed, it need not. How close any other triangulation comes to being Delaunay is
+  ///   measured by `anisotropic_Delaunay_consistency_2()`.
   bool is_valid(bool verbose = false, int level = 0) const
   {
     return Anisotropic_mesh_2::internal::Triangulation_checker_2<Self>(*this).is_valid(verbose, level);
@@ -551,7 +551,7 @@ protected:
     return insert(p, lt, f, li);
   }
 
-  // The hole that a new constraint leaves is triangulated anyhow, and then
+  // The hole that a new constraint leaves is triangulated in any way, and then
   // flipped until its edges are locally Delaunay.
   void triangulate_hole(List_faces& faces, List_edges& boundary_ab, List_edges& boundary_ba) override
   {

@@ -22,7 +22,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// A symmetric positive definite matrix that tells how lengths are measured at
+/// A symmetric positive definite matrix by which lengths are measured at
 /// a point of the plane (section 2.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The vectors of length 1 form an ellipse. Its two half axes are the *sizes*
@@ -62,7 +62,7 @@ public:
   Metric_tensor_2() : m_11(1), m_12(0), m_22(1) {}
 
   /// the tensor `m` of another kernel, its entries converted one by one.
-  /// Nothing is checked anew.
+  /// Nothing is checked again.
   /// \tparam K2 the other kernel
   /// \tparam Converter a function object from the entries of `m` to `FT`.
   template <class K2, class Converter>

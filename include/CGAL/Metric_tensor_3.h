@@ -17,7 +17,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// a symmetric positive definite matrix that tells how lengths are measured at a point of space.
+/// a symmetric positive definite matrix by which lengths are measured at a point of space.
 ///
 /// The vectors of length 1 form an ellipsoid, whose half axes are the *sizes*.
 /// No invalid tensor can be built: every way to build one throws

@@ -33,8 +33,8 @@ namespace CGAL {
 /// in `double`, interval arithmetic and exact arithmetic in this order, with
 /// `Exact_predicates_exact_constructions_kernel` by intervals and exact
 /// arithmetic, with an exact kernel in its own arithmetic. All of them give the
-/// same answer, also for ties. With `Simple_cartesian<double>` it is decided as
-/// rounding errors have it.
+/// same answer, also for ties. With `Simple_cartesian<double>` it is decided
+/// in rounded arithmetic.
 ///
 /// \tparam K a model of `Kernel`.
 /// \tparam MetricField_ a model of `MetricField_2`, for example a function
@@ -114,7 +114,7 @@ public:
     /// returns the squared distance.
     FT operator()(const Point_2& x, const Point_2& z) const { return (*this)(x, z, m_tensor(x)); }
 
-    /// the same where the tensor at `x` is at hand.
+    /// the same where the tensor at `x` is known.
     FT operator()(const Point_2& x, const Point_2& z, const Metric_tensor_2& mx) const
     {
       return mx.squared_length(z.x() - x.x(), z.y() - x.y());
@@ -151,7 +151,7 @@ public:
   /// \name Creation
   /// @{
 
-  /// traits without a field: good for nothing but being assigned to.
+  /// traits without a field, only usable as the target of an assignment.
   Riemannian_metric_traits_2() {}
 
 

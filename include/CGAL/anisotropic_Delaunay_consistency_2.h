@@ -19,7 +19,7 @@ namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
-/// tells whether the two faces of an edge agree with the cavity criterion
+/// returns whether the two faces of an edge agree with the cavity criterion
 /// (section 3.1 of \cgalCite{dw-acvt-05}): neither is in conflict with the vertex
 /// opposite to the edge in the other, by the tensors of the four vertices.
 ///
@@ -42,7 +42,7 @@ bool is_consistent_edge(const Triangulation& t, const typename Triangulation::Ed
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
-/// tells whether the star of a vertex is the one that the vertex has in the
+/// returns whether the star of a vertex is the one that the vertex has in the
 /// constrained Delaunay triangulation under its own tensor: no vertex that is
 /// visible from a triangle of the star lies inside of the ellipse through the
 /// three vertices of that triangle.

@@ -222,12 +222,13 @@ private:
 /// measures a mesh of a surface in the metric of the space, and how close it is to the surface
 /// (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
-/// Metric and surface are evaluated a few dozen times per vertex, more often where the metric varies much.
+/// Metric and surface are evaluated about 100 times per vertex, and far more often where the metric varies by
+/// a factor within an element.
 ///
 /// \tparam ConcurrencyTag as for `optimize_anisotropic_mesh_2()`; the result is the same to the bit.
 /// \tparam Field an instance of `Surface_metric_field_2`.
 /// \param mesh the mesh.
-/// \return the figures; those of the tessellation are in the Riemannian measure.
+/// \return the statistics; those of the tessellation are in the Riemannian measure.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 template <class ConcurrencyTag = Parallel_if_available_tag, class Field>
 Anisotropic_mesh_2::Surface_mesh_statistics

@@ -17,7 +17,7 @@ namespace CGAL {
 /// moves the vertices of a mesh to the mass centres of their anisotropic
 /// Voronoi regions, again and again (section 4 of \cgalCite{dw-acvt-05}).
 ///
-/// After each iteration all vertices are inserted anew into the stored empty
+/// After each iteration all vertices are inserted again into the stored empty
 /// mesh. Vertices on constrained edges stay where they are. Vertices keep their
 /// indices and what else their type stores, faces do not; handles to both do not stay valid.
 /// An iteration takes \f$ O(n \log n) \f$ time for \f$ n \f$ vertices of a mesh of good quality.

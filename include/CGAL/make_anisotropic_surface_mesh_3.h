@@ -83,7 +83,7 @@ make_anisotropic_surface_mesh_3(const Anisotropic_mesh_domain_2<K>& domain, cons
 /// `number_of_iterations(0)` is given here.
 ///
 /// Of the named parameters for unit meshes, `point_placement` and `keep_boundary_points` have no effect on a
-/// closed surface; what those of the optimizer mean there tells `optimize_anisotropic_surface_mesh_3()`.
+/// closed surface; for those of the optimizer see `optimize_anisotropic_surface_mesh_3()`.
 ///
 /// \tparam ConcurrencyTag as for `optimize_anisotropic_mesh_2()`.
 /// \tparam Field an instance of `Surface_metric_field_2`.

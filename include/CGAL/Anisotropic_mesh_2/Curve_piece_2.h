@@ -138,10 +138,10 @@ public:
   /// the reference, which the edges of a mesh along the piece get.
   int reference() const { return m_reference; }
 
-  /// tells whether the piece is a segment.
+  /// returns whether the piece is a segment.
   bool is_straight() const { return m_curve == nullptr; }
 
-  /// tells whether the piece ends where it starts.
+  /// returns whether the piece ends where it starts.
   bool is_closed() const { return m_source == m_target; }
 
   /// the point at the parameter `s` in [0, 1].

@@ -18,7 +18,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 ///
 /// thrown when a parametric surface has no finite point or no tangent plane somewhere.
 ///
-/// The message tells what is wrong and names the parameters u and v.
+/// The message says what is wrong and names the parameters u and v.
 class Degenerate_parametrization_exception
   : public Invalid_metric_tensor_exception
 {

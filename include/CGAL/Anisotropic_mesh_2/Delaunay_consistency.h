@@ -31,7 +31,7 @@ struct Delaunay_consistency
   /// the share of consistent stars, 1 if there are no stars.
   double star_share() const { return share(consistent_stars, stars); }
 
-  /// writes one line per figure.
+  /// writes one line per value.
   friend std::ostream& operator<<(std::ostream& os, const Delaunay_consistency& c)
   {
     return os << "edges: " << c.edges << "\nconsistent_edges: " << c.consistent_edges

@@ -11,7 +11,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Enums
 ///
-/// how the edges of a domain tell its inside from its outside.
+/// what decides which side of its edges is inside a domain.
 enum class Domain_rule
 {
   /// crossing a boundary edge toggles between outside and inside, starting

@@ -16,11 +16,11 @@ namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// figures of how good a mesh is in its metric (section 5.1 of \cgalCite{dw-acvt-05}).
+/// measures of how good a mesh is in its metric (section 5.1 of \cgalCite{dw-acvt-05}).
 ///
 /// The quality of a triangle \f$ T \f$ with the edges \f$ e_i \f$ in a tensor \f$ M \f$ is
 /// \f$ 4 \sqrt 3 \sqrt{\det M} |T| / \sum_i e_i^T M e_i \f$: 1 if it is equilateral in \f$ M \f$, else less, and
-/// more than 0. Without triangles all figures are 0.
+/// more than 0. Without triangles all of them are 0.
 /// \sa `CGAL::anisotropic_mesh_statistics_2()`
 struct Mesh_statistics
 {
@@ -37,12 +37,12 @@ struct Mesh_statistics
   double quality_min3_mean = 0;        ///< the least qualities of triangles with the tensors at the vertices: the mean
   double quality_min3_min = 0;         ///< the least of these
   double energy = 0;                   ///< of the anisotropic Voronoi tessellation, in the measure asked for
-  double energy_ratio = 0;             ///< the energy over that of as many regular hexagons; 1 is perfect
+  double energy_ratio = 0;             ///< the energy over that of equally many regular hexagons; 1 is perfect
   double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre; after
                                        ///< `optimize_anisotropic_mesh_2()` some hundredths, for its topological moves take
                                        ///< vertices away from there
 
-  /// calls `visit(name, value)` for each figure, from `vertices` to `gradient_norm`.
+  /// calls `visit(name, value)` for each value, from `vertices` to `gradient_norm`.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const
@@ -63,13 +63,13 @@ struct Mesh_statistics
     visit("gradient_norm", gradient_norm);
   }
 
-  /// writes one line per figure.
+  /// writes one line per value.
   friend std::ostream& operator<<(std::ostream& os, const Mesh_statistics& s)
   {
     return internal::write_statistics(os, s);
   }
 
-  /// writes the figures as a flat JSON object.
+  /// writes the statistics as a flat JSON object.
   void write_json(std::ostream& os) const { internal::write_statistics_as_json(os, *this); }
 };
 

@@ -16,7 +16,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
-/// figures of how good a mesh of a surface is, in the metric of the space at the surface
+/// measures of how good a mesh of a surface is, in the metric of the space at the surface
 /// and as an approximation of the surface (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// Lengths are those of the straight edges in space, qualities those of the flat triangles
@@ -45,13 +45,13 @@ struct Surface_mesh_statistics
     visit("normal_deviation_max", normal_deviation_max);
   }
 
-  /// writes one line per figure.
+  /// writes one line per value.
   friend std::ostream& operator<<(std::ostream& os, const Surface_mesh_statistics& s)
   {
     return internal::write_statistics(os, s);
   }
 
-  /// writes the figures as a flat JSON object.
+  /// writes the statistics as a flat JSON object.
   void write_json(std::ostream& os) const { internal::write_statistics_as_json(os, *this); }
 };
 

@@ -19,7 +19,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 /// thrown when a metric asks for more vertices than a given limit; if it asks for many more, before the
 /// memory for them is taken.
 ///
-/// The message tells how many vertices the metric asks for, and the limit.
+/// The message names the number of vertices that the metric asks for, and the limit.
 class Too_many_vertices_exception
   : public std::runtime_error
 {

@@ -28,9 +28,9 @@ namespace CGAL::Anisotropic_mesh_2 {
 /// The parameters are found by the *as rigid as possible* method \cgalCite{lzxgg-lgamp-08} of \cgal's package for the
 /// parametrization of surface meshes, with a free border, or, where that folds over, by mean value coordinates
 /// \cgalCite{f-mvc-03} in a circle. Points are on the triangles, up to rounding, so that a mesh made of this
-/// surface has its vertices there. The first derivatives are constant on each triangle. The second ones tell the
-/// curvature that a cubic polynomial, fitted to the vertices around \cgalCite{cp-edqpf-05}, has at each vertex,
-/// linear in between.
+/// surface has its vertices there. The first derivatives are constant on each triangle. The second ones give the
+/// curvature of a cubic polynomial that is fitted to the vertices around each vertex \cgalCite{cp-edqpf-05}, and
+/// is linear in between.
 ///
 /// Parameters outside of the `domain()` stand for the nearest ones within.
 ///

@@ -46,7 +46,7 @@ public:
   typedef Metric_tensor_3<K>           Metric_tensor; ///< a tensor of the space
 
   /// the metric with the given tensors, in the order of the vertices of `surface`.
-  /// \throw std::invalid_argument if there are not as many tensors as vertices.
+  /// \throw std::invalid_argument if the numbers of tensors and vertices differ.
   Vertex_metric_3(const Surface& surface, const std::vector<Metric_tensor>& tensors)
   {
     if(tensors.size() != surface.number_of_vertices())

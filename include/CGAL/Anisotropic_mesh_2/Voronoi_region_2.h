@@ -34,7 +34,7 @@ struct Voronoi_region_2
   double                            area = 0;          ///< the Euclidean area of all pieces
   std::vector<Voronoi_piece_2<K> >  pieces;            ///< the main ones first
   /// triangles that make up the region, counterclockwise; next to bisectors
-  /// that turn sharply few of them may be clockwise, and count as negative.
+  /// that turn sharply a few of them may be clockwise, and count as negative.
   std::vector<Tile>                 tiles;
 
   /// the number of pieces that do not contain the generator.

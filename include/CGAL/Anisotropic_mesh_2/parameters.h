@@ -50,7 +50,7 @@ Chained_parameter<Value, internal::convergence_t, T, Tag, Base>
 convergence(const Value& v, const Named_function_parameters<T, Tag, Base>& np)
 { return Chained_parameter<Value, internal::convergence_t, T, Tag, Base>(v, np); }
 
-/// the share of the energy by which ten iterations of an optimizer must lower it, lest it stops.
+/// the share of the energy by which ten iterations must lower it, so that the optimizer goes on.
 template <class Value>
 Parameter<Value, internal::energy_reduction_t> energy_reduction(const Value& v)
 { return Parameter<Value, internal::energy_reduction_t>(v); }

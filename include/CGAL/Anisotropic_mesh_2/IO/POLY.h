@@ -30,9 +30,9 @@ namespace CGAL::IO {
 ///
 /// Vertices with their markers, segments with their markers, hole seeds and
 /// regional attributes are read; attributes of vertices are skipped. Indices
-/// start at 0 or 1, as the first vertex tells. If the file announces no
+/// start at 0 or 1, which the index of the first vertex decides. If the file announces no
 /// vertices, they are read from the `.node` file of the same name. The inside
-/// of the domain is meant as `Anisotropic_mesh_2::Domain_rule::SEEDS` tells.
+/// of the domain is that of `Anisotropic_mesh_2::Domain_rule::SEEDS`.
 ///
 /// \tparam K a model of `Kernel`
 /// \param file the name of the file

@@ -27,7 +27,7 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 struct Medit_section
 {
   const char* keyword;
-  int words;            // on each line; -1: as many as the dimension
+  int words;            // on each line; -1: their number is the dimension
   int words_in_header;  // before or in place of the number of lines
 };
 
@@ -103,7 +103,7 @@ private:
     const bool is_word = (w[0] >= 'A' && w[0] <= 'Z') || (w[0] >= 'a' && w[0] <= 'z');
     if(!is_word)
       mismatch(m_last.empty() ? "MeshVersionFormatted" : "a keyword after the section " + m_last, w,
-               m_last.empty() ? "" : "does the section hold more lines than its number tells?");
+               m_last.empty() ? "" : "does the section hold more lines than its number says?");
     if(!m_seen.insert(w).second)
       fail("the section " + w + " is there twice");
     m_last = w;

@@ -26,7 +26,7 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // The words of a text file. Words are separated by white space, and '#' begins
-// a comment that ends with its line. Every complaint tells the file, the line,
+// a comment that ends with its line. Every complaint names the file, the line,
 // the item that was being read, what was expected and what was found.
 class Text_scanner
 {
@@ -229,7 +229,7 @@ private:
     return last_word();
   }
 
-  // tells which end of the range of numbers a number is beyond, whatever the locale of the program is
+  // which end of the range of numbers a number is beyond, whatever the locale of the program is
   static bool is_large(std::string_view w)
   {
     double x = 0;

@@ -106,7 +106,7 @@ private:
     return overlap(shared, a.source + a.target - shared, b.source + b.target - shared);
   }
 
-  // tells whether the chords from o to p and from o to q have the same direction
+  // returns whether the chords from o to p and from o to q have the same direction
   bool overlap(std::size_t o, std::size_t p, std::size_t q) const
   {
     const Exact kernel = Exact();

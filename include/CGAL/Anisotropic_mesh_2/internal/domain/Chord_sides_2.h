@@ -55,7 +55,7 @@ public:
 
   const std::vector<Sides>& sides() const { return m_sides; }
 
-  // a triangulation of the inside, as far as the chords tell
+  // a triangulation of the inside, as far as the chords decide it
   std::vector<Triangle_of_doubles> inner_triangles() const
   {
     std::vector<Triangle_of_doubles> triangles;

@@ -32,7 +32,7 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 //
 // An end lies on a segment if it does so exactly. Ends of inner curves alone
 // are also taken to lie on a segment or curve that they miss by the rounding of
-// the coordinates, since on oblique lines and on arcs nobody can do better.
+// the coordinates, since on oblique lines and on arcs no coordinates are exact.
 // Boundary on boundary is refused.
 template <class K>
 class Piece_splitter_2

@@ -30,7 +30,7 @@ bool equal_up_to_rounding(const Point& p, const Point& q)
   return (std::max)(std::abs(px - qx), std::abs(py - qy)) <= 1e-13 * size;
 }
 
-// tells whether two pieces with the same ends are the same, in either direction
+// returns whether two pieces with the same ends are the same, in either direction
 template <class K>
 bool coincide(const Curve_piece_2<K>& a, const Curve_piece_2<K>& b)
 {

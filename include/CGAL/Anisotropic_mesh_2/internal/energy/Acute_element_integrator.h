@@ -23,7 +23,8 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 // that, gradients would be wrong in first order, all with the same sign.
 //
 // Each of the six triangles between a corner, the middle of an edge and the
-// circumcentre is integrated exactly for a tensor that is quadratic on it.
+// circumcentre is integrated exactly for a tensor that is quadratic on it. The page
+// "Derivations" of the manual derives the coefficients.
 class Acute_element_integrator
 {
 public:
@@ -139,7 +140,8 @@ private:
     return (area / 30) * ((l + su)(u.x, u.y) + (l + sv)(u.x, u.y, v.x, v.y) + (m + sv)(v.x, v.y));
   }
 
-  // The distance of the true bisector from the chord is a parabola with zeros at both ends.
+  // The distance of the true bisector from the chord is a parabola with zeros at both ends: see "The Strip
+  // Between Chord and Bisector" on the page "Derivations" of the manual.
   static double correct(const Bisector_piece& piece, const Symmetric_form& s, Region_moments& mi, Region_moments& mj)
   {
     const Vector_of_doubles half = {piece.along.x / 2, piece.along.y / 2};

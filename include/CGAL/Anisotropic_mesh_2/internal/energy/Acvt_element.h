@@ -56,7 +56,7 @@ struct Acvt_element
     is_linear = true;
   }
 
-  // Guesses the tensors at the middles of the edges from what lacks, at the
+  // Guesses the tensors at the middles of the edges from the difference, at the
   // barycentre, to the mean of the corners. It is laid on the edges by the
   // squares of the differences along them, as it should be where sizes vary
   // linearly.

@@ -20,7 +20,7 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// How the mass centres of the regions hang together, in single precision: the
+// How the mass centres of the regions depend on each other, in single precision: the
 // part R of the Hessian 2 A - R of the energy that the motion of the bisectors
 // makes, A being the matrices of the regions. R is not negative, and moves that
 // are alike everywhere are nearly in the kernel of 2 A - R, which is why Lloyd's
@@ -93,7 +93,7 @@ public:
     Vectors_of_floats m_product;
   };
 
-  // For as many blocks of faces and vertices; the blocks are then to be filled.
+  // For these numbers of blocks of faces and of vertices; the blocks are then to be filled.
   // `length` and `stiffness` are typical values of vectors and of R.
   void resize(std::size_t number_of_blocks, std::size_t number_of_vertices, double length, double stiffness)
   {

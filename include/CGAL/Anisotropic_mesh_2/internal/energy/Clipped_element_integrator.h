@@ -29,7 +29,7 @@ public:
   {
     Vector_of_doubles position;
     Region_contribution*      sums;
-    int               corner;               // of the face at hand, or -1
+    int               corner;               // of the current face, or -1
     std::array<double, 3> squared_distance; // to the corners of the element
   };
   typedef boost::container::static_vector<Generator, 12> Generators;

@@ -212,7 +212,7 @@ private:
   bool          m_is_riemannian;
   Acvt_accuracy m_accuracy;
 
-  // the block at hand; by local number
+  // the current block; by local number
   Local_numbering              m_numbering;
   std::vector<Local_generator> m_generators;
   std::vector<Region_contribution>     m_sums;

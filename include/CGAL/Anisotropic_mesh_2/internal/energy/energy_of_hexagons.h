@@ -11,7 +11,8 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// The energy of so many regular hexagons, in the limit of many: the least one.
+// The energy of this number of regular hexagons, in the limit of many: the least one. See the page
+// "Derivations" of the manual.
 inline double energy_of_hexagons(double density_integral, double number)
 {
   const double second_moment = 5 / (18 * std::sqrt(3.)); // of a regular hexagon of unit area

@@ -36,7 +36,7 @@ inline double number_of_unit_parts(double length)
 
 // Cuts the pieces of a prepared domain into parts of unit metric length
 // (section 3.2 of the paper): equal lengths along each piece, and on curves
-// so many parts that none turns by more than about 45 degrees.
+// enough parts that none turns by more than about 45 degrees.
 template <class K, class Field>
 class Boundary_unit_mesher
 {

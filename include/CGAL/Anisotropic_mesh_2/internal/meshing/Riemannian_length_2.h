@@ -246,7 +246,7 @@ private:
   void bisect_inaccurate_panels()
   {
     Queue queue;
-    m_total = m_error = 0; // anew, without the rounding that large first estimates left behind
+    m_total = m_error = 0; // again, without the rounding that large first estimates left behind
     for(std::size_t i = 0; i < m_panels.size(); ++i) {
       m_total += m_panels[i].length;
       m_error += m_panels[i].error;

@@ -58,14 +58,14 @@ public:
     add(std::abs(d.cx), std::abs(d.cy), std::abs(d.ax*d.by) + std::abs(d.ay*d.bx));
   }
 
-  // Thirteen roundings at the most reach a term of the sum; twenty are granted.
+  // At most thirteen roundings act on a term of the sum; twenty are granted (the manual's "Derivations").
   template <class Metric_tensor>
   double operator()(const Metric_tensor& m) const
   {
     return 20*rounding_unit * (m.m11()*m_x + 2*std::abs(m.m12())*m_s + m.m22()*m_y);
   }
 
-  // whether no underflow or overflow spoils the bound for tensors in their range
+  // whether neither underflow nor overflow can break the bound, for tensors in their range
   bool is_in_safe_range(const Lifted_determinant& d) const
   {
     return (std::max)(d.reach_x(), d.reach_y()) < 1e40 && m_x > 1e-164 && m_y > 1e-164;
@@ -171,7 +171,7 @@ private:
     return Result::indeterminate();
   }
 
-  // 4 det(M) / L_M; false if it cannot be told well enough
+  // 4 det(M) / L_M; false if it is not known well enough
   bool find_scale(const Metric_tensor& m, double& scale, double& relative_error) const
   {
     double length[3], bound[3];
@@ -207,13 +207,14 @@ carefully_estimate_side_of_metric_circle(const Point_2& a, const Point_2& b, con
   return Side_of_metric_circle_estimate<Point_2, Metric_tensor>(a, b, c, p, tensors)();
 }
 
-// The cavity criterion as far as doubles can tell.
+// The cavity criterion as far as doubles can decide it.
 //
 // Mostly the four determinants agree in sign by more than a bound of their
 // rounding errors that is made of the largest coordinates alone: twenty
-// roundings, six terms, and 2 |m12| rx ry <= m11 rx^2 + m22 ry^2. Taken off the
+// roundings, six terms, and 2 |m12| rx ry <= m11 rx^2 + m22 ry^2. See "The Error
+// Bounds of the Filter" on the page "Derivations" of the manual. Subtracted from the
 // coefficients beforehand, this bound costs nothing for each tensor. Below the
-// limits, underflow could spoil it; overflow leaves no finite sum.
+// limits, underflow could make it wrong; overflow leaves no finite sum.
 template <class Point_2, class Metric_tensor>
 Uncertain<Oriented_side>
 estimate_side_of_metric_circle(const Point_2& a, const Point_2& b, const Point_2& c, const Point_2& p,

@@ -31,7 +31,7 @@ public:
   void clear() { m_pairs.clear(); }
   bool empty() const { return m_pairs.empty(); }
 
-  // Pairs without positive curvature would spoil the definiteness and are dropped.
+  // Pairs without positive curvature would destroy the definiteness and are dropped.
   void add(const Vectors& step, const Vectors& gradient_difference)
   {
     const double s = length(step), y = length(gradient_difference);

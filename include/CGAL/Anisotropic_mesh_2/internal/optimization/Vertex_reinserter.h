@@ -18,7 +18,7 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// Moves the free vertices of a mesh by inserting them anew into the stored
+// Moves the free vertices of a mesh by inserting them again into the stored
 // empty mesh, as section 4 of the paper has it. Vertices keep what they store,
 // handles do not stay valid.
 template <class Mesh>

@@ -36,7 +36,7 @@ class Patch_flipper
 public:
   explicit Patch_flipper(const Mesh& mesh) : m_mesh(mesh), m_band(mesh) {}
 
-  // Flips edges until none is wanted, and tells whether it did one.
+  // Flips edges until none is wanted, and returns whether it did one.
   bool operator()(Patch& patch) const
   {
     const int maximum = 2 * patch.number_of_faces(); // rounding errors might let them go on

@@ -84,7 +84,7 @@ public:
 private:
   static constexpr int    maximum_of_sweeps = 5;
   static constexpr double longest_step = 0.2;
-  static constexpr double least_step = 0.001;    // shorter ones are not worth their evaluations
+  static constexpr double least_step = 0.001;    // shorter ones do not pay for their evaluations
   static constexpr int    maximum_of_attempts = 3;
 
   static double penalty_of_quality(double q)

@@ -40,7 +40,7 @@ class Patch_writer
 public:
   Patch_writer(Mesh& mesh, const std::vector<Face_handle>& faces) : m_mesh(mesh), m_old(faces) {}
 
-  // `vertex_of_index` tells the vertices by their indices, and is kept up to date.
+  // `vertex_of_index` maps indices to vertices, and is kept up to date.
   void operator()(const Patch& patch, std::vector<Vertex_handle>& vertex_of_index)
   {
     find_outside(patch);

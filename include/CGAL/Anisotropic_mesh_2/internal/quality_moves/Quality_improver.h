@@ -106,7 +106,7 @@ private:
     return is_there ? f : Face_handle();
   }
 
-  // What has been tried in vain is tried again only if something has changed.
+  // A trial that failed is repeated only if something has changed.
   bool is_worth_a_trial(const Bad_face& b, int round) const
   {
     bool has_changed = round == 1;

@@ -50,7 +50,7 @@ public:
     m_density_integral += m_measure == Measure::RIEMANNIAN ? area : integral(mesh, faces, 0.25);
   }
 
-  // Faces that were not added, as nobody can tell their regions, do not count in the ratio.
+  // Faces that were not added, because their regions are unknown, do not count in the ratio.
   void write_to(Mesh_statistics& statistics) const
   {
     if(m_faces == 0)

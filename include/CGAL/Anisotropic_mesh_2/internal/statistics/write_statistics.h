@@ -11,7 +11,7 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// one line per figure that `statistics.for_each()` visits
+// one line per value that `statistics.for_each()` visits
 template <class Statistics>
 std::ostream& write_statistics(std::ostream& os, const Statistics& statistics)
 {

@@ -81,11 +81,11 @@ public:
 
 private:
   static constexpr double radius_of_disc = 0.25; // as a share of the range of v
-  static constexpr double fewest_parts = 3;      // of a closed line, lest the mesh should be none
+  static constexpr double fewest_parts = 3;      // of a closed line, which needs three to bound a face
 
   struct Place
   {
-    Vector_of_doubles coordinates; // in the chart at hand
+    Vector_of_doubles coordinates; // in the current chart
     std::size_t       vertex;
   };
   typedef std::vector<Place> Side;

@@ -16,7 +16,7 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // Charts that cover a surface so that each place is far from the cuts of at least
-// one of them: as many windows as it takes for the cuts in both directions not to
+// one of them: enough windows for the cuts in both directions not to
 // hit the same place in all of them, and a cap around each pole.
 template <class Field>
 struct Surface_atlas

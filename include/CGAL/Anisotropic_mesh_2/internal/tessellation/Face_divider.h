@@ -49,7 +49,7 @@ struct Divided_face
 };
 
 // Divides faces among generators, given the labels of their corners; refuses
-// where the labels alone do not tell how. A face is taken for settled if at all
+// where the labels alone do not decide. A face is settled if at all
 // corners of the parts of each generator all others are farther by more than
 // what the metric may do between the corners.
 template <class Place_at>
@@ -218,7 +218,8 @@ private:
 
   // With a constant tensor the difference is linear. What it may be below its
   // linear interpolation is taken from the middle of the face, and from the
-  // square of the variation, so that it vanishes faster than the face.
+  // square of the variation, so that it vanishes faster than the face: an estimate, see "The
+  // Margins of the Divider" on the page "Derivations" of the manual.
   double margin_over_samples(const Place& x, std::size_t own, std::size_t rival) const
   {
     const double difference = m_generators.difference(x, rival, own);
@@ -234,7 +235,7 @@ private:
   }
 
   // The difference is quadratic: what it is below its linear interpolation is
-  // known from its second derivatives and the longest edge.
+  // known from its second derivatives and the longest edge: a bound, derived there too.
   double margin_of_conic(const Place& x, std::size_t own, std::size_t rival) const
   {
     const Symmetric_form h = m_generators.tensor(x, rival) + (-1.) * m_generators.tensor(x, own);
@@ -277,7 +278,7 @@ private:
   Bisector_tracer<Place_at>   m_tracer;
   const double                m_tolerance;
 
-  // the face at hand
+  // the current face
   std::array<const Place*, 3> m_corner;
   Place                       m_middle;
   double                      m_variation = 0; // the greatest relative distance of a sample from the middle

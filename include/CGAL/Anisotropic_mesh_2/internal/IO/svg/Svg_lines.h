@@ -48,7 +48,7 @@ inline Svg_line simplified(const Svg_line& line)
   return result;
 }
 
-// Joins edges to few long lines, always the same for the same edges. With
+// Joins edges to a few long lines, always the same for the same edges. With
 // `are_directed`, edges are followed in their direction only: if as many enter
 // as leave at each point, all lines are closed.
 class Svg_line_joiner

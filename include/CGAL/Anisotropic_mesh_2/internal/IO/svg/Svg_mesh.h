@@ -22,7 +22,7 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// Draws a mesh. Qualities, if any, are as many as triangles.
+// Draws a mesh. If there are qualities, there is one for each triangle.
 class Svg_mesh
 {
 public:

@@ -24,7 +24,7 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // Draws small polygons of a surface as they are seen from far away, those in the
-// back first, so that those in front hide them. Shades tell the angle to the
+// back first, so that those in front hide them. Shades show the angle to the
 // light, and widths of lines follow the size of the polygons.
 class Svg_surface
 {

@@ -48,7 +48,7 @@ private:
   {
     const std::vector<Kernel::Point_3> points = points_around(v);
     if(points.size() < points_for_degree_2)
-      return Shape_operator{}; // too few to tell that it is not flat
+      return Shape_operator{}; // too few to know that it is not flat
     const std::size_t degree = points.size() < points_for_degree_3 ? 2 : 3;
     Fitting::Monge_form form = Fitting()(points.begin(), points.end(), degree, 2);
     form.comply_wrt_given_normal(normal(v));
@@ -58,7 +58,7 @@ private:
     return std::all_of(s.begin(), s.end(), [](double x) { return std::isfinite(x); }) ? s : Shape_operator{};
   }
 
-  // the point of v, and those of as many rings of neighbours as it takes
+  // the point of v, and those of enough rings of neighbours
   std::vector<Kernel::Point_3> points_around(Vertex v)
   {
     ++m_tour;
