@@ -6,8 +6,9 @@
 
 #include "output.h"
 
+#include "Safe_output_file.h"
+
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
-#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
 #include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
@@ -25,8 +26,7 @@ namespace program {
 
 namespace {
 
-typedef CGAL::Anisotropic_mesh_2::Safe_output_file  Safe_output_file;
-typedef nlohmann::ordered_json                      Json;
+typedef nlohmann::ordered_json  Json;
 
 void check_output(const std::string& option, const std::string& path)
 {
@@ -40,13 +40,15 @@ void check_output(const std::string& option, const std::string& path)
 
 void write_mesh(const Mesh& mesh, const Output& output)
 {
-  switch(output.format) {
-  case File_format::MESH: return CGAL::IO::write_MEDIT(output.path, mesh);
-  case File_format::VTU:  return CGAL::IO::write_vtu(output.path, mesh);
-  case File_format::OFF:  return CGAL::IO::write_OFF(output.path, mesh);
-  case File_format::SVG:  return CGAL::IO::write_SVG(output.path, mesh);
-  case File_format::PLY:  break; // refused before
-  }
+  write_safely(output.path, [&](std::ostream& os) {
+    switch(output.format) {
+    case File_format::MESH: return CGAL::IO::write_MEDIT(os, mesh);
+    case File_format::VTU:  return CGAL::IO::write_VTU(os, mesh);
+    case File_format::OFF:  return CGAL::IO::write_OFF(os, mesh);
+    case File_format::SVG:  return CGAL::IO::write_SVG(os, mesh);
+    case File_format::PLY:  break; // refused before
+    }
+  });
 }
 
 template <class Statistics>
@@ -79,9 +81,7 @@ void write_json(const std::string& path, const Json& statistics)
       throw std::runtime_error("standard output: cannot be written");
     return;
   }
-  Safe_output_file file(path);
-  file.stream() << text;
-  file.commit();
+  write_safely(path, [&](std::ostream& os) { os << text; });
 }
 
 } // namespace
@@ -114,7 +114,9 @@ void write_outputs(const Mesh& mesh, const Options& options, const Run_report& r
   for(const Output& output : options.meshes)
     write_mesh(mesh, output);
   if(!options.voronoi.empty())
-    CGAL::IO::write_SVG(options.voronoi, CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3));
+    write_safely(options.voronoi, [&](std::ostream& os) {
+      CGAL::IO::write_SVG(os, CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3));
+    });
   if(!options.stats.empty())
     write_json(options.stats, json_of(statistics(mesh, options), report));
 }

@@ -10,8 +10,11 @@
 #include "builtin_surfaces.h"
 #include "mesh_job.h"
 #include "output.h"
+#include "Safe_output_file.h"
 
-#include <CGAL/Anisotropic_mesh_2/IO/surface.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
+#include <CGAL/Anisotropic_mesh_2/IO/PLY.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Surface_metric_field_2.h>
 #include <CGAL/optimize_anisotropic_surface_mesh_3.h>
 #include <CGAL/anisotropic_surface_mesh_statistics_3.h>
@@ -97,11 +100,13 @@ void optimize(Surface_mesh& mesh, const Options& options, Progress& progress, Ru
 
 void write_mesh(const Surface_mesh& mesh, const Output& output)
 {
-  switch(output.format) {
-  case File_format::OFF: return CGAL::IO::write_OFF(output.path, mesh);
-  case File_format::PLY: return CGAL::IO::write_PLY(output.path, mesh);
-  default:               return CGAL::IO::write_SVG(output.path, mesh);
-  }
+  write_safely(output.path, [&](std::ostream& os) {
+    switch(output.format) {
+    case File_format::OFF: return CGAL::IO::write_OFF(os, mesh);
+    case File_format::PLY: return CGAL::IO::write_PLY(os, mesh);
+    default:               return CGAL::IO::write_SVG(os, mesh);
+    }
+  });
 }
 
 } // namespace
@@ -117,7 +122,9 @@ void run_surface(const Options& options, Progress& progress)
   for(const Output& output : options.meshes)
     write_mesh(mesh, output);
   if(!options.voronoi.empty())
-    CGAL::IO::write_SVG(options.voronoi, CGAL::anisotropic_surface_Voronoi_regions_3(mesh, 1e-2), mesh.is_closed());
+    write_safely(options.voronoi, [&](std::ostream& os) {
+      CGAL::IO::write_SVG(os, CGAL::anisotropic_surface_Voronoi_regions_3(mesh, 1e-2), mesh.is_closed());
+    });
   if(!options.stats.empty())
     write_statistics(options.stats, CGAL::anisotropic_surface_mesh_statistics_3(mesh), report);
 }

@@ -52,7 +52,7 @@ int main(int argc, char* argv[])
 
     CGAL::IO::write_MEDIT("files.mesh", mesh); // with references of edges and subdomains
     CGAL::IO::write_MEDIT_metric("files.sol", mesh);
-    CGAL::IO::write_vtu("files.vtu", mesh);
+    CGAL::IO::write_VTU("files.vtu", mesh);
     CGAL::IO::write_OFF("files.off", mesh);
     CGAL::IO::write_SVG("files.svg", mesh, "The mesh that was written");
 

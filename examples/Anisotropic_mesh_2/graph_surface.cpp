@@ -2,7 +2,7 @@
 // to a class that the algorithms of CGAL work on.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/surface.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_2/Callable_surface_3.h>
 #include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Surface_mesh.h>
@@ -28,7 +28,8 @@ int main()
 
   std::cout << CGAL::anisotropic_surface_mesh_statistics_3(mesh);
   CGAL::IO::write_OFF("graph_surface.off", mesh);
-  CGAL::IO::write_SVG("graph_surface.svg", mesh, "sin(x) cos(y)", {2.2, 0.7}); // seen from behind, and from above
+  CGAL::IO::write_SVG("graph_surface.svg", mesh, "sin(x) cos(y)",
+                      CGAL::Anisotropic_mesh_2::View_direction_3{2.2, 0.7}); // from behind, and from above
 
   CGAL::Surface_mesh<K::Point_3> faces;
   mesh.add_to(faces);

@@ -3,7 +3,7 @@
 // under three sizes along the axes and under the metric of its curvature.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/surface.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Metric_tensor_3.h>
 #include <CGAL/Anisotropic_mesh_2/Parametric_ellipsoid_3.h>

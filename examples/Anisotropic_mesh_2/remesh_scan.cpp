@@ -4,7 +4,8 @@
 //   remesh_scan [FILE]    a disc of triangles in any format of CGAL; by default a mask that is made here
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Anisotropic_mesh_2/IO/surface.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -85,7 +86,8 @@ bool remesh(const Scan& scan)
             << "\nmean quality in the metric: " << s.quality_mean << ", least: " << s.quality_min
             << "\nmean distance to the scan: " << 100 * s.distance_mean / d << " % of the diagonal" << std::endl;
   CGAL::IO::write_OFF("remesh_scan.off", mesh);
-  CGAL::IO::write_SVG("surface_scan.svg", mesh, "", {-1.3, 1.2}); // from the front
+  CGAL::IO::write_SVG("surface_scan.svg", mesh, "",
+                      CGAL::Anisotropic_mesh_2::View_direction_3{-1.3, 1.2}); // from the front
   return s.quality_mean > 0.9;
 }
 

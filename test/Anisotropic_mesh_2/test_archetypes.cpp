@@ -301,8 +301,8 @@ void test_writers(const Tr& tr)
   const auto quality = Quality_archetype<Tr>::make();
   std::ostringstream os;
   CGAL::IO::write_OFF(os, tr);
-  CGAL::IO::write_vtu(os, tr);
-  CGAL::IO::write_vtu(os, tr, CGAL::IO::ASCII);
+  CGAL::IO::write_VTU(os, tr);
+  CGAL::IO::write_VTU(os, tr, CGAL::IO::ASCII);
   CGAL::IO::write_SVG(os, tr);
   CGAL::IO::write_SVG(os, tr, "title");
   CGAL::IO::write_SVG(os, tr, "title", quality);
@@ -313,7 +313,7 @@ void test_writers(const Tr& tr)
 
   const Scratch_directory scratch;
   CGAL::IO::write_OFF(scratch / "mesh.off", tr);
-  CGAL::IO::write_vtu(scratch / "mesh.vtu", tr);
+  CGAL::IO::write_VTU(scratch / "mesh.vtu", tr);
   CGAL::IO::write_SVG(scratch / "mesh.svg", tr, "title");
   CGAL::IO::write_SVG(scratch / "quality.svg", tr, "title", quality);
   CGAL::IO::write_MEDIT(scratch / "mesh.mesh", tr);

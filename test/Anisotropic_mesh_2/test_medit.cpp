@@ -103,8 +103,8 @@ void test_triangulations(const Scratch_directory& scratch)
   CHECK(area == 12);
 
   std::ostringstream first, second;
-  CGAL::IO::write_MEDIT(first, Cdt_with_references(cdt));
-  CGAL::IO::write_MEDIT(second, Cdt_with_references(cdt));
+  CGAL::IO::write_MEDIT(first, With_references<Marked_cdt>(cdt));
+  CGAL::IO::write_MEDIT(second, With_references<Marked_cdt>(cdt));
   CHECK(first.str() == second.str());
   const Graph with_references = CGAL::IO::read_MEDIT<Kernel>(scratch.file("references.mesh", first.str()));
   int sum = 0;

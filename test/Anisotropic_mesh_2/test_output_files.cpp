@@ -4,19 +4,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Output files appear complete or not at all; OFF and VTU.
+// Output files of the program appear complete or not at all; OFF and VTU.
 
 #include "include/check.h"
 #include "include/marked_triangulation.h"
 #include "include/scratch_directory.h"
+#include "../../program/Safe_output_file.h"
 
 #include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
-#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/VTU.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
+// also with these, which have functions of the same names (see test_writers_beside_cgal.cpp)
+#include <CGAL/IO/File_medit.h>
+#include <CGAL/IO/write_VTU.h>
+#include <CGAL/boost/graph/IO/OFF.h>
+
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -25,8 +32,8 @@
 
 namespace fs = std::filesystem;
 
-typedef CGAL::Anisotropic_mesh_2::Safe_output_file  Safe_output_file;
-typedef CGAL::Mesh_io_exception                     Bad;
+using program::Safe_output_file;
+typedef CGAL::Mesh_io_exception  Bad;
 
 void test_commit(const Scratch_directory& scratch)
 {
@@ -75,8 +82,10 @@ void test_failures(const Scratch_directory& scratch)
   CHECK_THROWS(Safe_output_file(scratch.path().string()), Bad, "it is a directory");
   CHECK_THROWS(Safe_output_file(""), Bad, "the name is empty");
   CHECK_THROWS(CGAL::IO::write_OFF(scratch / "no/a.off", marked_rectangle()), Bad, "no/a.off");
-  CHECK_THROWS(CGAL::IO::write_vtu(scratch / "no/a.vtu", marked_rectangle()), Bad, "no/a.vtu");
+  CHECK_THROWS(CGAL::IO::write_VTU(scratch / "no/a.vtu", marked_rectangle()), Bad, "no/a.vtu");
   CHECK_THROWS(CGAL::IO::write_MEDIT(scratch / "no/a.mesh", marked_rectangle()), Bad, "no/a.mesh");
+  if(fs::exists("/dev/full"))
+    CHECK_THROWS(CGAL::IO::write_OFF("/dev/full", marked_rectangle()), Bad, "/dev/full: could not be written completely");
   CHECK(scratch.number_of_files() == 0);
 }
 
@@ -138,7 +147,7 @@ std::vector<double> array_of(const std::string& vtu, const std::string& name)
 void test_vtu(const Scratch_directory& scratch)
 {
   std::ostringstream os;
-  CGAL::IO::write_vtu(os, marked_rectangle(), CGAL::IO::ASCII);
+  CGAL::IO::write_VTU(os, marked_rectangle(), CGAL::IO::ASCII);
   const std::string vtu = os.str();
   CHECK(vtu.find("NumberOfPoints=\"5\" NumberOfCells=\"9\"") != std::string::npos);
   const std::vector<double> xyz = array_of(vtu, "NumberOfComponents"), types = array_of(vtu, "types"),
@@ -153,8 +162,15 @@ void test_vtu(const Scratch_directory& scratch)
     area += ((xyz[b] - xyz[a]) * (xyz[c + 1] - xyz[a + 1]) - (xyz[b + 1] - xyz[a + 1]) * (xyz[c] - xyz[a])) / 2;
   }
   CHECK(area == 12); // counterclockwise
-  CGAL::IO::write_vtu(scratch / "a.vtu", marked_rectangle());
-  CHECK(content_of(scratch / "a.vtu").find("<AppendedData encoding=\"raw\">") != std::string::npos);
+  CGAL::IO::write_VTU(scratch / "a.vtu", marked_rectangle());
+  const std::string binary = content_of(scratch / "a.vtu"), begin = "<AppendedData encoding=\"raw\">\n_";
+  const std::size_t at = binary.find(begin) + begin.size();
+  std::uint64_t bytes = 0;
+  std::vector<double> same_xyz(xyz.size());
+  std::memcpy(&bytes, binary.data() + at, sizeof bytes);
+  std::memcpy(same_xyz.data(), binary.data() + at + sizeof bytes, sizeof(double) * xyz.size());
+  CHECK(bytes == sizeof(double) * xyz.size() && same_xyz == xyz);
+  CHECK(binary.find("format=\"appended\" offset=\"" + std::to_string(bytes + 8) + "\"") != std::string::npos);
 }
 
 // Other number types are written as doubles.
@@ -169,7 +185,7 @@ void test_exact_kernel()
   cdt.insert(Exact::Point_2(0, 1));
   cdt.finite_faces_begin()->set_in_domain(true);
   std::ostringstream vtu, off;
-  CGAL::IO::write_vtu(vtu, cdt, CGAL::IO::ASCII);
+  CGAL::IO::write_VTU(vtu, cdt, CGAL::IO::ASCII);
   CGAL::IO::write_OFF(off, cdt);
   CHECK(vtu.str().find("Float64") != std::string::npos && vtu.str().find("0.25 0 0") != std::string::npos);
   CHECK(off.str().find("0.25 0 0") != std::string::npos);

@@ -41,11 +41,12 @@ inline Marked_cdt marked_rectangle(int number_of_inner_points = 1)
 }
 
 // The same with references of edges.
-struct Cdt_with_references : Marked_cdt
+template <class Cdt>
+struct With_references : Cdt
 {
-  explicit Cdt_with_references(const Marked_cdt& cdt) : Marked_cdt(cdt) {}
+  explicit With_references(const Cdt& cdt) : Cdt(cdt) {}
 
-  int edge_reference(const Edge& e) const
+  int edge_reference(const typename Cdt::Edge& e) const
   {
     const Kernel::Segment_2 s = this->segment(e);
     return s.is_horizontal() ? 2 : s.is_vertical() ? 3 : 4;

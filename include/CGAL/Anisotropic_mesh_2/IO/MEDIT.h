@@ -10,8 +10,8 @@
 #include <CGAL/Anisotropic_mesh_2/internal/IO/domain_graph.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/Medit_reader.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/Text_writer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/write_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
-#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Metric_tensor_2.h>
 
@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -90,23 +91,51 @@ void write_MEDIT(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_lin
   out << "\nEnd\n";
 }
 
+/// writes a graph to a file as the function that writes to a stream does.
+/// \tparam K a model of `Kernel`
+/// \param file the name of the file
+/// \param graph the graph
+/// \throw Mesh_io_exception if the file cannot be written.
+template <class K>
+void write_MEDIT(const std::string& file, const Anisotropic_mesh_2::Planar_straight_line_graph_2<K>& graph)
+{
+  Anisotropic_mesh_2::internal::write_file(file, [&](std::ostream& os) { CGAL::IO::write_MEDIT(os, graph); });
+}
+
 /// writes the domain of a triangulation in the Medit format (`.mesh`): the
 /// faces of the domain with their subdomain indices, their vertices in the
 /// order of the triangulation, and the edges that are constrained or bound the
 /// domain.
 ///
-/// \tparam Tr a constrained triangulation of \cgal whose faces have a member
-/// `bool is_in_domain() const` and possibly `int subdomain_index() const`
+/// \tparam Tr,Parameters an instance of the class template of a constrained triangulation of \cgal whose
+/// faces have a member `bool is_in_domain() const` and possibly `int subdomain_index() const`
 /// (else 0 is written). If it has a member `int edge_reference(Edge) const`,
 /// this is the default for `edge_reference`; else the default is 1.
 /// \tparam EdgeReference a functor, as `edge_reference` is
-/// \param os the stream
+/// \param os the stream, whose state tells whether all was written
 /// \param tr the triangulation
 /// \param edge_reference a functor `int(const Tr::Edge&)`
-template <class Tr, class EdgeReference = Anisotropic_mesh_2::internal::Stored_edge_reference>
-void write_MEDIT(std::ostream& os, const Tr& tr, const EdgeReference& edge_reference = EdgeReference())
+template <template <class...> class Tr, class... Parameters,
+          class EdgeReference = Anisotropic_mesh_2::internal::Stored_edge_reference,
+          class = Anisotropic_mesh_2::internal::If_marked<Tr<Parameters...>>>
+void write_MEDIT(std::ostream& os, const Tr<Parameters...>& tr, const EdgeReference& edge_reference = EdgeReference())
 {
-  write_MEDIT(os, Anisotropic_mesh_2::internal::domain_graph(tr, edge_reference));
+  CGAL::IO::write_MEDIT(os, Anisotropic_mesh_2::internal::domain_graph(tr, edge_reference));
+}
+
+/// writes the domain of a triangulation to a file as the function that writes to a stream does.
+/// \tparam Tr,Parameters,EdgeReference as there
+/// \param file the name of the file
+/// \param tr the triangulation
+/// \param edge_reference as there
+/// \throw Mesh_io_exception if the file cannot be written.
+template <template <class...> class Tr, class... Parameters,
+          class EdgeReference = Anisotropic_mesh_2::internal::Stored_edge_reference,
+          class = Anisotropic_mesh_2::internal::If_marked<Tr<Parameters...>>>
+void write_MEDIT(const std::string& file, const Tr<Parameters...>& tr,
+                 const EdgeReference& edge_reference = EdgeReference())
+{
+  CGAL::IO::write_MEDIT(file, Anisotropic_mesh_2::internal::domain_graph(tr, edge_reference));
 }
 
 /// writes tensors as the solution of a Medit file (`.sol`), with all digits.
@@ -140,21 +169,7 @@ void write_MEDIT_metric(std::ostream& os, const Tr& tr)
   write_MEDIT_metric(os, tensors);
 }
 
-/// writes a graph or a triangulation to a file, which appears under its name only when
-/// it is complete. The further arguments are those of the functions that write to a stream.
-/// \tparam Mesh,Args what a function that writes to a stream takes
-/// \param file the name of the file
-/// \param mesh the graph or the triangulation
-/// \param args the further arguments
-/// \throw Mesh_io_exception if the file cannot be written.
-template <class Mesh, class... Args>
-void write_MEDIT(const std::string& file, const Mesh& mesh, const Args&... args)
-{
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_MEDIT(os, mesh, args...); });
-}
-
-/// writes the tensors of a vector or of a triangulation to a file, which
-/// appears under its name only when it is complete.
+/// writes the tensors of a vector or of a triangulation to a file.
 /// \tparam Mesh a vector of tensors or a triangulation, as a function that writes to a stream takes it
 /// \param file the name of the file
 /// \param mesh the tensors or the triangulation
@@ -162,7 +177,7 @@ void write_MEDIT(const std::string& file, const Mesh& mesh, const Args&... args)
 template <class Mesh>
 void write_MEDIT_metric(const std::string& file, const Mesh& mesh)
 {
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_MEDIT_metric(os, mesh); });
+  Anisotropic_mesh_2::internal::write_file(file, [&](std::ostream& os) { CGAL::IO::write_MEDIT_metric(os, mesh); });
 }
 
 /// @}

@@ -7,10 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_IO_OFF_H
 #define CGAL_ANISOTROPIC_MESH_2_IO_OFF_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/IO/domain_graph.h>
-#include <CGAL/Anisotropic_mesh_2/internal/IO/Text_writer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/Triangle_soup.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/write_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
-#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
 
 #include <ostream>
 #include <string>
@@ -20,36 +19,33 @@ namespace CGAL::IO {
 /// \addtogroup PkgAnisotropicMesh2IO
 /// @{
 
-/// writes the faces of the domain of a triangulation in the Object File Format
-/// (`.off`), with `z = 0` and all digits.
+/// writes the faces of the domain of a triangulation, with `z = 0`, or a mesh of a surface in the
+/// Object File Format (`.off`), with all digits.
 ///
-/// \tparam Tr a triangulation of \cgal whose faces have a member
-/// `bool is_in_domain() const`
-/// \param os the stream
-/// \param tr the triangulation
-template <class Tr>
-void write_OFF(std::ostream& os, const Tr& tr)
+/// \tparam Mesh,Parameters an instance of `Anisotropic_surface_mesh_3`, or of the class template of a
+/// triangulation of \cgal whose faces have a member `bool is_in_domain() const`
+/// \param os the stream, whose state tells whether all was written
+/// \param mesh the triangulation or the mesh
+template <template <class...> class Mesh, class... Parameters,
+          class = Anisotropic_mesh_2::internal::If_soup<Mesh<Parameters...>>>
+void write_OFF(std::ostream& os, const Mesh<Parameters...>& mesh)
 {
-  const auto no_reference = [](const typename Tr::Edge&) { return 0; };
-  const Anisotropic_mesh_2::internal::Domain_graph graph
-    = Anisotropic_mesh_2::internal::domain_graph(tr, no_reference);
+  const Anisotropic_mesh_2::internal::Triangle_soup soup = Anisotropic_mesh_2::internal::triangle_soup(mesh);
   Anisotropic_mesh_2::internal::Text_writer out(os);
-  out << "OFF\n" << graph.points.size() << ' ' << graph.triangles.size() << " 0\n\n";
-  for(const auto& p : graph.points)
-    out << p.x() << ' ' << p.y() << " 0\n";
-  for(const auto& t : graph.triangles)
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  out << "OFF\n" << soup.points.size() << ' ' << soup.triangles.size() << " 0\n\n";
+  write_elements(out, soup);
 }
 
-/// writes the faces of the domain to a file, which appears under its name only when it is complete.
-/// \tparam Tr as for the function that writes to a stream
+/// writes a mesh to a file as the function that writes to a stream does.
+/// \tparam Mesh,Parameters as there
 /// \param file the name of the file
-/// \param tr the triangulation
+/// \param mesh the triangulation or the mesh
 /// \throw Mesh_io_exception if the file cannot be written.
-template <class Tr>
-void write_OFF(const std::string& file, const Tr& tr)
+template <template <class...> class Mesh, class... Parameters,
+          class = Anisotropic_mesh_2::internal::If_soup<Mesh<Parameters...>>>
+void write_OFF(const std::string& file, const Mesh<Parameters...>& mesh)
 {
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_OFF(os, tr); });
+  Anisotropic_mesh_2::internal::write_file(file, [&](std::ostream& os) { CGAL::IO::write_OFF(os, mesh); });
 }
 
 /// @}

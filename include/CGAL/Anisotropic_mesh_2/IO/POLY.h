@@ -9,8 +9,8 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/IO/Poly_reader.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/Text_writer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/write_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
-#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 
 #include <CGAL/number_utils.h>
@@ -76,7 +76,7 @@ void write_POLY(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_line
     write_line(region.seed) << ' ' << region.reference << '\n';
 }
 
-/// writes a graph as a `.poly` file, which appears under its name only when it is complete.
+/// writes a graph to a file as the function that writes to a stream does.
 /// \tparam K a model of `Kernel`
 /// \param file the name of the file
 /// \param graph the graph
@@ -84,7 +84,7 @@ void write_POLY(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_line
 template <class K>
 void write_POLY(const std::string& file, const Anisotropic_mesh_2::Planar_straight_line_graph_2<K>& graph)
 {
-  Anisotropic_mesh_2::internal::write_safely(file, [&](std::ostream& os) { write_POLY(os, graph); });
+  Anisotropic_mesh_2::internal::write_file(file, [&](std::ostream& os) { CGAL::IO::write_POLY(os, graph); });
 }
 
 /// @}

@@ -9,11 +9,15 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/IO/domain_graph.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_mesh.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_surface.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_voronoi_diagram.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/write_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
-#include <CGAL/Anisotropic_mesh_2/IO/Safe_output_file.h>
+#include <CGAL/Anisotropic_mesh_2/Surface_voronoi_region_3.h>
+#include <CGAL/Anisotropic_mesh_2/View_direction_3.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_drawing.h>
 
+#include <array>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -21,6 +25,7 @@
 namespace CGAL {
 
 template <class Mesh, class Distance, class ConcurrencyTag> class Anisotropic_Voronoi_diagram_2;
+template <class Field> class Anisotropic_surface_mesh_3;
 
 namespace IO {
 
@@ -42,9 +47,7 @@ namespace IO {
 template <class Tr>
 void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::string())
 {
-  const auto no_reference = [](const typename Tr::Edge&) { return 0; };
-  const Anisotropic_mesh_2::internal::Domain_graph graph
-    = Anisotropic_mesh_2::internal::domain_graph(tr, no_reference);
+  const Anisotropic_mesh_2::internal::Domain_graph graph = Anisotropic_mesh_2::internal::domain_graph(tr);
   Anisotropic_mesh_2::internal::Svg_mesh(graph, std::vector<double>()).write(os, title);
 }
 
@@ -61,9 +64,7 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::s
 template <class Tr, class Quality>
 void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Quality& quality)
 {
-  const auto no_reference = [](const typename Tr::Edge&) { return 0; };
-  const Anisotropic_mesh_2::internal::Domain_graph graph
-    = Anisotropic_mesh_2::internal::domain_graph(tr, no_reference);
+  const Anisotropic_mesh_2::internal::Domain_graph graph = Anisotropic_mesh_2::internal::domain_graph(tr);
   std::vector<double> qualities;
   for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)
     if(f->is_in_domain())
@@ -92,18 +93,59 @@ void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Dista
   Anisotropic_mesh_2::internal::Svg_voronoi_diagram<Diagram>(diagram, drawing).write(os, title);
 }
 
-/// draws a triangulation or a tessellation to a file, which appears under its
-/// name only when it is complete. The further arguments are those of the
-/// functions that write to a stream.
+/// draws a mesh of a surface, shaded and with hidden faces behind the others, as a
+/// Scalable Vector Graphics file, 800 pixels wide.
+/// \tparam Field an instance of `Surface_metric_field_2`
+/// \param os the stream
+/// \param mesh the mesh
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param view from where the surface is seen
+template <class Field>
+void write_SVG(std::ostream& os, const Anisotropic_surface_mesh_3<Field>& mesh,
+               const std::string& title = std::string(),
+               const Anisotropic_mesh_2::View_direction_3& view = Anisotropic_mesh_2::View_direction_3())
+{
+  namespace internal = Anisotropic_mesh_2::internal;
+  internal::Svg_surface picture(view, mesh.is_closed());
+  for(const auto& f : mesh.faces())
+    picture.add_polygon(std::array<typename Field::Surface::Kernel::Point_3, 3>
+                        {mesh.point(f[0]), mesh.point(f[1]), mesh.point(f[2])});
+  picture.write(os, title, internal::svg_count(mesh.number_of_vertices()) + " vertices, "
+                           + internal::svg_count(mesh.number_of_faces()) + " triangles");
+}
+
+/// draws the Voronoi regions of the vertices of a mesh of a surface in the same way. Of a surface
+/// that `is_closed`, what faces away is left out.
+/// \tparam K a model of `Kernel`
+/// \param os the stream
+/// \param regions what `anisotropic_surface_Voronoi_regions_3()` returns
+/// \param is_closed whether the surface is closed
+/// \param title what the line of text below the picture begins with; may be empty
+/// \param view from where the surface is seen
+template <class K>
+void write_SVG(std::ostream& os, const std::vector<Anisotropic_mesh_2::Surface_voronoi_region_3<K> >& regions,
+               bool is_closed, const std::string& title = std::string(),
+               const Anisotropic_mesh_2::View_direction_3& view = Anisotropic_mesh_2::View_direction_3())
+{
+  namespace internal = Anisotropic_mesh_2::internal;
+  internal::Svg_surface picture(view, is_closed);
+  for(const auto& region : regions)
+    for(const auto& line : region.boundaries)
+      picture.add_polygon(line);
+  picture.write(os, title, internal::svg_count(regions.size()) + " Voronoi regions");
+}
+
+/// draws what the functions that write to a stream draw to a file. The further arguments are those of these
+/// functions.
 /// \tparam Drawing,Args what a function that writes to a stream takes
 /// \param file the name of the file
-/// \param drawing the triangulation or the tessellation
+/// \param drawing the triangulation, the tessellation, the mesh of a surface or its Voronoi regions
 /// \param args the further arguments
 /// \throw Mesh_io_exception if the file cannot be written.
 template <class Drawing, class... Args>
 void write_SVG(const std::string& file, const Drawing& drawing, const Args&... args)
 {
-  Anisotropic_mesh_2::internal::write_safely(
+  Anisotropic_mesh_2::internal::write_file(
     file, [&](std::ostream& os) { CGAL::IO::write_SVG(os, drawing, args...); });
 }
 

@@ -23,6 +23,10 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 // The domain of a triangulation in plain numbers, as all writers take it.
 typedef Planar_straight_line_graph_2<Simple_cartesian<double>> Domain_graph;
 
+// what has faces that are in the domain or not
+template <class Tr>
+using If_marked = std::void_t<decltype(std::declval<const typename Tr::Face&>().is_in_domain())>;
+
 // The reference that the triangulation itself keeps for an edge; 1 if it keeps none.
 struct Stored_edge_reference {};
 
@@ -114,8 +118,8 @@ void add_edges_of_domain(const Tr& tr, const EdgeReference& edge_reference,
     }
 }
 
-template <class Tr, class EdgeReference>
-Domain_graph domain_graph(const Tr& tr, const EdgeReference& edge_reference)
+template <class Tr, class EdgeReference = Stored_edge_reference>
+Domain_graph domain_graph(const Tr& tr, const EdgeReference& edge_reference = EdgeReference())
 {
   Domain_graph graph;
   if(tr.dimension() < 2)

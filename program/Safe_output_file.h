@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANISOTROPIC_MESH_2_IO_SAFE_OUTPUT_FILE_H
-#define CGAL_ANISOTROPIC_MESH_2_IO_SAFE_OUTPUT_FILE_H
+#ifndef ANISOTROPIC_MESH_2_PROGRAM_SAFE_OUTPUT_FILE_H
+#define ANISOTROPIC_MESH_2_PROGRAM_SAFE_OUTPUT_FILE_H
 
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 
@@ -20,23 +20,19 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL::Anisotropic_mesh_2 {
+namespace program {
 
-/// \ingroup PkgAnisotropicMesh2IO
-///
-/// an output file that appears under its name only when it is complete.
-///
-/// What is written goes to a temporary file in the same directory. `commit()`
-/// gives it its name and replaces a file of that name; a destruction without
-/// `commit()` removes it and leaves the old file untouched. Links are followed.
-/// What is no regular file (`/dev/stdout`, a pipe) is written directly.
-///
-/// All failures are reported by `Mesh_io_exception`, with the name of the file.
+// An output file that appears under its name only when it is complete.
+//
+// What is written goes to a temporary file in the same directory. commit()
+// gives it its name and replaces a file of that name; a destruction without
+// commit() removes it and leaves the old file untouched. Links are followed.
+// What is no regular file (/dev/stdout, a pipe) is written directly.
+//
+// All failures are reported by Mesh_io_exception, with the name of the file.
 class Safe_output_file
 {
 public:
-  /// opens the temporary file.
-  /// \throw Mesh_io_exception if the file cannot be written.
   explicit Safe_output_file(const std::string& file)
     : m_name(file), m_target(followed(file)), m_is_direct(is_special(m_target))
   {
@@ -55,14 +51,11 @@ public:
   Safe_output_file(const Safe_output_file&) = delete;
   Safe_output_file& operator=(const Safe_output_file&) = delete;
 
-  /// removes the temporary file unless `commit()` was called.
   ~Safe_output_file() { discard(); }
 
-  /// the stream to write to.
   std::ostream& stream() { return m_stream; }
 
-  /// completes the file and gives it its name. To be called once, at the end.
-  /// \throw Mesh_io_exception if something could not be written.
+  // to be called once, at the end
   void commit()
   {
     CGAL_precondition(!m_is_committed);
@@ -101,7 +94,7 @@ private:
   {
     std::error_code error;
     if(m_name.empty())
-      throw Mesh_io_exception("''", "cannot be opened for writing: the name is empty");
+      throw CGAL::Mesh_io_exception("''", "cannot be opened for writing: the name is empty");
     if(std::filesystem::is_directory(m_target, error))
       fail("cannot be opened for writing", "it is a directory");
     if(m_is_direct || !std::filesystem::exists(m_target, error))
@@ -168,7 +161,7 @@ private:
 
   [[noreturn]] void fail(const std::string& what, const std::string& reason) const
   {
-    throw Mesh_io_exception(m_name, what + ": " + reason);
+    throw CGAL::Mesh_io_exception(m_name, what + ": " + reason);
   }
 
   std::string   m_name;
@@ -176,8 +169,6 @@ private:
   bool          m_is_direct, m_is_committed = false;
   std::ofstream m_stream;
 };
-
-namespace internal {
 
 // lets `write` fill the file, which appears only when that is done
 template <class Write>
@@ -188,7 +179,6 @@ void write_safely(const std::string& file, const Write& write)
   out.commit();
 }
 
-} // namespace internal
-} // namespace CGAL::Anisotropic_mesh_2
+} // namespace program
 
-#endif // CGAL_ANISOTROPIC_MESH_2_IO_SAFE_OUTPUT_FILE_H
+#endif // ANISOTROPIC_MESH_2_PROGRAM_SAFE_OUTPUT_FILE_H

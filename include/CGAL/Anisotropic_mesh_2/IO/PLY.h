@@ -1,0 +1,55 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_IO_PLY_H
+#define CGAL_ANISOTROPIC_MESH_2_IO_PLY_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/IO/Triangle_soup.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/write_file.h>
+#include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
+
+#include <ostream>
+#include <string>
+
+namespace CGAL::IO {
+
+/// \addtogroup PkgAnisotropicMesh2IO
+/// @{
+
+/// writes the faces of the domain of a triangulation, with `z = 0`, or a mesh of a surface in the
+/// Polygon File Format (`.ply`), as text with all digits.
+/// \tparam Mesh,Parameters as for `write_OFF()`
+/// \param os the stream, whose state tells whether all was written
+/// \param mesh the triangulation or the mesh
+template <template <class...> class Mesh, class... Parameters,
+          class = Anisotropic_mesh_2::internal::If_soup<Mesh<Parameters...>>>
+void write_PLY(std::ostream& os, const Mesh<Parameters...>& mesh)
+{
+  const Anisotropic_mesh_2::internal::Triangle_soup soup = Anisotropic_mesh_2::internal::triangle_soup(mesh);
+  Anisotropic_mesh_2::internal::Text_writer out(os);
+  out << "ply\nformat ascii 1.0\nelement vertex " << soup.points.size()
+      << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << soup.triangles.size()
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  write_elements(out, soup);
+}
+
+/// writes a mesh to a file as the function that writes to a stream does.
+/// \tparam Mesh,Parameters as there
+/// \param file the name of the file
+/// \param mesh the triangulation or the mesh
+/// \throw Mesh_io_exception if the file cannot be written.
+template <template <class...> class Mesh, class... Parameters,
+          class = Anisotropic_mesh_2::internal::If_soup<Mesh<Parameters...>>>
+void write_PLY(const std::string& file, const Mesh<Parameters...>& mesh)
+{
+  Anisotropic_mesh_2::internal::write_file(file, [&](std::ostream& os) { CGAL::IO::write_PLY(os, mesh); });
+}
+
+/// @}
+
+} // namespace CGAL::IO
+
+#endif // CGAL_ANISOTROPIC_MESH_2_IO_PLY_H
