@@ -26,6 +26,7 @@
 #include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
+#include <CGAL/tags.h>
 
 #include <cmath>
 #include <cstddef>
@@ -37,6 +38,9 @@ namespace program {
 
 typedef CGAL::Riemannian_metric_traits_2<Kernel, Metric_field>  Traits;
 typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits>               Mesh;
+
+// The result is the same with every number of threads, of which there is one unless the options ask for more.
+typedef CGAL::Parallel_if_available_tag Concurrency_tag;
 
 // What the statistics of the mesh alone do not say.
 struct Run_report
@@ -117,15 +121,15 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   CGAL::Real_timer timer;
   timer.start();
   const CGAL::Mesh_optimization_return_code code = options.optimizer == Optimizer::LLOYD
-    ? CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, parameters)
-    : CGAL::optimize_anisotropic_mesh_2(mesh, parameters);
+    ? CGAL::lloyd_optimize_anisotropic_mesh_2<Concurrency_tag>(mesh, parameters)
+    : CGAL::optimize_anisotropic_mesh_2<Concurrency_tag>(mesh, parameters);
   report.seconds_optimize = timer.time();
   report.stop_reason = name_of(code);
 }
 
 inline auto statistics(const Mesh& mesh, const Options& options)
 {
-  return CGAL::anisotropic_mesh_statistics_2(mesh, measure_of(options));
+  return CGAL::anisotropic_mesh_statistics_2<Concurrency_tag>(mesh, measure_of(options));
 }
 
 } // namespace program

@@ -115,7 +115,8 @@ void write_outputs(const Mesh& mesh, const Options& options, const Run_report& r
     write_mesh(mesh, output);
   if(!options.voronoi.empty())
     write_safely(options.voronoi, [&](std::ostream& os) {
-      CGAL::IO::write_SVG(os, CGAL::Anisotropic_Voronoi_diagram_2<Mesh>(mesh, {}, 1e-3));
+      typedef CGAL::Anisotropic_mesh_2::Directional_distance_2 Distance;
+      CGAL::IO::write_SVG(os, CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Distance, Concurrency_tag>(mesh, {}, 1e-3));
     });
   if(!options.stats.empty())
     write_json(options.stats, json_of(statistics(mesh, options), report));

@@ -77,7 +77,7 @@ Surface_mesh make_unit_mesh(const Options& options, Run_report& report)
   const Surface_with_metric input = builtin_surface(options.domain, options.scale);
   CGAL::Real_timer timer;
   timer.start();
-  Surface_mesh mesh = CGAL::make_anisotropic_surface_mesh_3(Surface_field(input.surface, input.metric),
+  Surface_mesh mesh = CGAL::make_anisotropic_surface_mesh_3<Concurrency_tag>(Surface_field(input.surface, input.metric),
                                                           CGAL::parameters::number_of_iterations(0));
   report.seconds_mesh = timer.time();
   return mesh;
@@ -90,7 +90,7 @@ void optimize(Surface_mesh& mesh, const Options& options, Progress& progress, Ru
   const Interruption interruption;
   CGAL::Real_timer timer;
   timer.start();
-  report.stop_reason = name_of(CGAL::optimize_anisotropic_surface_mesh_3
+  report.stop_reason = name_of(CGAL::optimize_anisotropic_surface_mesh_3<Concurrency_tag>
     (mesh, CGAL::Anisotropic_mesh_2::parameters::convergence(options.tolerance)
              .number_of_iterations(options.iterations)
              .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
@@ -123,10 +123,11 @@ void run_surface(const Options& options, Progress& progress)
     write_mesh(mesh, output);
   if(!options.voronoi.empty())
     write_safely(options.voronoi, [&](std::ostream& os) {
-      CGAL::IO::write_SVG(os, CGAL::anisotropic_surface_Voronoi_regions_3(mesh, 1e-2), mesh.is_closed());
+      CGAL::IO::write_SVG(os, CGAL::anisotropic_surface_Voronoi_regions_3<Concurrency_tag>(mesh, 1e-2),
+                          mesh.is_closed());
     });
   if(!options.stats.empty())
-    write_statistics(options.stats, CGAL::anisotropic_surface_mesh_statistics_3(mesh), report);
+    write_statistics(options.stats, CGAL::anisotropic_surface_mesh_statistics_3<Concurrency_tag>(mesh), report);
 }
 
 } // namespace program

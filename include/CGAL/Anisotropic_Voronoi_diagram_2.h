@@ -64,7 +64,7 @@ namespace CGAL {
 /// several threads at the same time. The diagram is the same to the bit; with every tag several
 /// threads may call its members at the same time.
 template <class Mesh_, class Distance_ = Anisotropic_mesh_2::Directional_distance_2,
-          class ConcurrencyTag_ = Parallel_if_available_tag>
+          class ConcurrencyTag_ = Sequential_tag>
 class Anisotropic_Voronoi_diagram_2
 {
 public:

@@ -117,7 +117,7 @@ private:
 /// \param measure the measure of the energy.
 /// \return the statistics.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
-template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh>
+template <class ConcurrencyTag = Sequential_tag, class Mesh>
 Anisotropic_mesh_2::Mesh_statistics
 anisotropic_mesh_statistics_2(const Mesh& mesh,
                               Anisotropic_mesh_2::Measure measure = Anisotropic_mesh_2::Measure::RIEMANNIAN)

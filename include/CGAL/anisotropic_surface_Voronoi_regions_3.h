@@ -28,6 +28,7 @@ namespace CGAL {
 /// which its generator is far from where the chart is cut. The cost is that of
 /// one diagram for each of the up to four charts.
 ///
+/// \tparam ConcurrencyTag as for `Anisotropic_Voronoi_diagram_2`.
 /// \tparam Field an instance of `Surface_metric_field_2`.
 /// \param mesh the mesh.
 /// \param tolerance as for `Anisotropic_Voronoi_diagram_2`, whose default is finer.
@@ -35,7 +36,7 @@ namespace CGAL {
 /// sides of a seam that is not glued, since the domain goes once around.
 /// \pre `tolerance` lies between 10<sup>-9</sup> and 0.1.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
-template <class Field>
+template <class ConcurrencyTag = Sequential_tag, class Field>
 std::vector<Anisotropic_mesh_2::Surface_voronoi_region_3<typename Field::Surface::Kernel> >
 anisotropic_surface_Voronoi_regions_3(const Anisotropic_surface_mesh_3<Field>& mesh, double tolerance = 1e-3)
 {
@@ -56,8 +57,9 @@ anisotropic_surface_Voronoi_regions_3(const Anisotropic_surface_mesh_3<Field>& m
       const internal::Vector_of_doubles p = atlas.parts[k].chart.parameters(internal::to_doubles(x));
       return mesh.field().surface().point(internal::point_at<Point_2>(p.x, p.y));
     };
-    const Anisotropic_Voronoi_diagram_2<typename Part_mesh::Mesh> diagram
-      (part.mesh(), Anisotropic_mesh_2::Directional_distance_2(), tolerance);
+    typedef Anisotropic_mesh_2::Directional_distance_2 Distance;
+    const Anisotropic_Voronoi_diagram_2<typename Part_mesh::Mesh, Distance, ConcurrencyTag>
+      diagram(part.mesh(), Distance(), tolerance);
     for(const auto& r : diagram.regions()) {
       const std::size_t v = part.number(r.vertex);
       if(cover.part_of_vertex(v) != k)

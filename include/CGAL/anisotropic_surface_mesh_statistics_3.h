@@ -230,7 +230,7 @@ private:
 /// \param mesh the mesh.
 /// \return the statistics; those of the tessellation are in the Riemannian measure.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
-template <class ConcurrencyTag = Parallel_if_available_tag, class Field>
+template <class ConcurrencyTag = Sequential_tag, class Field>
 Anisotropic_mesh_2::Surface_mesh_statistics
 anisotropic_surface_mesh_statistics_3(const Anisotropic_surface_mesh_3<Field>& mesh)
 {

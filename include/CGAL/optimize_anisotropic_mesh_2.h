@@ -92,7 +92,7 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// the accuracy to which it is evaluated. The mesh is valid in each case.
 /// \pre no number given is negative.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
-template <class ConcurrencyTag = Parallel_if_available_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Sequential_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code
 optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {

@@ -105,7 +105,7 @@ Mesh_optimization_return_code optimize_charts(Anisotropic_surface_mesh_3<Field>&
 /// `MAX_ITERATION_NUMBER_REACHED` if that is so of any in the last round. The mesh is valid in each case, and as it
 /// was if `number_of_iterations` is 0.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
-template <class ConcurrencyTag = Parallel_if_available_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
+template <class ConcurrencyTag = Sequential_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Mesh_optimization_return_code
 optimize_anisotropic_surface_mesh_3(Anisotropic_surface_mesh_3<Field>& surface_mesh,
                            const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

@@ -10,11 +10,14 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -166,6 +169,41 @@ void test_diagrams(const Case& graded)
   test_diagram<Directional>(random, "random generators");
 }
 
+// a field that notes whether a thread other than that of its construction has called it
+class Watchful_field
+{
+public:
+  Tensor operator()(const Point& p) const
+  {
+    if(std::this_thread::get_id() != m_owner)
+      *m_is_shared = true;
+    return Tensor::from_sizes(0.01 + p.x() / 50, 0.02, p.y());
+  }
+
+  bool is_shared() const { return *m_is_shared; }
+
+private:
+  std::thread::id                     m_owner = std::this_thread::get_id();
+  std::shared_ptr<std::atomic<bool> > m_is_shared = std::make_shared<std::atomic<bool> >(false);
+};
+
+// Who links TBB for another reason has his field called by one thread, unless he asks for more.
+void test_one_thread_by_default()
+{
+  const Watchful_field field;
+  auto mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), field);
+  const auto start = mesh;
+  typedef decltype(mesh) Watched_mesh;
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
+  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(1));
+  CGAL::anisotropic_mesh_statistics_2(mesh);
+  CGAL::Anisotropic_Voronoi_diagram_2<Watched_mesh>{mesh};
+  CHECK(!field.is_shared());
+  mesh = start;
+  CGAL::optimize_anisotropic_mesh_2<CGAL::Parallel_tag>(mesh, CGAL::parameters::number_of_iterations(3));
+  CHECK(std::thread::hardware_concurrency() < 2 || field.is_shared());
+}
+
 // a field that fails in a corner of the domain, after the vertices have their tensors
 void test_failing_field()
 {
@@ -178,7 +216,7 @@ void test_failing_field()
   fails = true;
   for(int threads : {1, 2, 8}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    CHECK_THROWS(Diagram{mesh}, std::runtime_error, "no tensor here");
+    CHECK_THROWS((CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Directional, CGAL::Parallel_tag>{mesh}), std::runtime_error, "no tensor here");
   }
 }
 
@@ -217,6 +255,7 @@ int main()
   test_optimizers(unit_square_cases()[2]);
   test_full_regions(paper_cases()[2]);
   test_diagrams(fine);
+  test_one_thread_by_default();
   test_failing_field();
   test_exceptions();
   test_sums();

@@ -7,8 +7,8 @@
 /// \cgalRefines{CopyConstructible}
 ///
 /// The function may be called for any point of the domain and of its boundary, and
-/// for what lies between a curve of the boundary and its chords; and from several
-/// threads at the same time, so that it must not change any state that calls
+/// for what lies between a curve of the boundary and its chords; with
+/// `CGAL::Parallel_tag`, from several threads at the same time, so that it must then not change any state that calls
 /// share. It need not be continuous. A point at which it has
 /// no valid tensor is reported by the exception that the construction of
 /// `CGAL::Metric_tensor_2` throws.
