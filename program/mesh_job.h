@@ -113,7 +113,7 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   if(options.optimizer == Optimizer::NONE)
     return;
   namespace np = CGAL::Anisotropic_mesh_2::parameters;
-  const auto parameters = np::convergence(options.tolerance, np::measure(measure_of(options)))
+  const auto parameters = np::convergence(options.tolerance).measure(measure_of(options))
     .number_of_iterations(options.iterations)
     .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
     .visitor(Progress_visitor(options, progress, report));

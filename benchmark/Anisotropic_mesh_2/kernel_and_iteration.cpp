@@ -142,7 +142,7 @@ template <class Mesh>
 void time_acvt(benchmark::State& state, const Mesh& start)
 {
   time_iterations(state, start, [](Mesh& mesh) {
-    CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(iterations));
+    CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).quality_moves(false).number_of_iterations(iterations));
   });
 }
 

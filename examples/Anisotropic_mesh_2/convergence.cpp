@@ -34,7 +34,7 @@ struct Table
 auto parameters(const std::string& name)
 {
   namespace np = CGAL::Anisotropic_mesh_2::parameters;
-  return np::convergence(0., np::energy_reduction(0., np::topological_moves(false)))
+  return np::convergence(0.).energy_reduction(0.).quality_moves(false)
     .number_of_iterations(100).visitor(Table{name});
 }
 

@@ -108,7 +108,7 @@ auto mesh_of_size(std::size_t n, double tolerance, Purpose purpose, const Field_
     scale *= std::sqrt(double(mesh.number_of_vertices()) / double(n));
     mesh = unit_mesh(field(scale));
   }
-  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(purpose == Purpose::VERTICES)
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::quality_moves(purpose == Purpose::VERTICES)
                                      .number_of_iterations(30));
   return mesh;
 }

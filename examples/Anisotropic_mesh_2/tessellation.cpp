@@ -25,7 +25,7 @@ int main()
   const auto field = [](const Point& p) { return Tensor::from_sizes(0.04 + 0.1*p.x(), 0.12, 2*p.y()); };
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
   // Topological moves take vertices out of their mass centres in favour of well shaped triangles.
-  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(false));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::quality_moves(false));
 
   const CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)> diagram(mesh);
   double area = 0, energy = 0, farthest = 0;

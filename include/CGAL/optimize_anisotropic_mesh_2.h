@@ -23,13 +23,13 @@ namespace internal {
 
 // whether topological moves are to follow an optimization that has ended with `code`
 template <class NamedParameters>
-bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedParameters& np)
+bool are_quality_moves_due(Mesh_optimization_return_code code, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
   const bool makes_unit_mesh = measure == Measure::RIEMANNIAN;
-  return choose_parameter(get_parameter(np, topological_moves_t()), makes_unit_mesh)
+  return choose_parameter(get_parameter(np, quality_moves_t()), makes_unit_mesh)
       && choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0
       && code != BOUND_REACHED && code != TIME_LIMIT_REACHED;
 }
@@ -75,7 +75,7 @@ bool are_topological_moves_due(Mesh_optimization_return_code code, const NamedPa
 /// (\f$ 3 \cdot 10^{-4} \f$; with 0 it stops when more than ten iterations have not lowered the energy at all), and
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{topological_moves}
+///   \cgalParamNBegin{quality_moves}
 ///     \cgalParamDescription{whether faces of low quality are improved at the end, unless the time
 ///       limit or the visitor has stopped the optimization, or `number_of_iterations` is 0. If not, handles to
 ///       vertices and their indices stay.}
@@ -100,7 +100,7 @@ optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::paramete
   const Mesh_optimization_return_code code
     = internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
         (mesh, 3e-4, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
-  if(internal::are_topological_moves_due(code, np))
+  if(internal::are_quality_moves_due(code, np))
     internal::Quality_improver<Mesh>{mesh}();
   return code;
 }

@@ -121,7 +121,7 @@ optimize_anisotropic_surface_mesh_3(Anisotropic_surface_mesh_3<Field>& surface_m
   const int preliminary_rounds = atlas.parts.size() > 1 ? 2 : 0;
   for(int round = 0; round < preliminary_rounds; ++round) {
     const Mesh_optimization_return_code code = internal::optimize_charts<ConcurrencyTag>
-      (surface_mesh, atlas, time, Anisotropic_mesh_2::parameters::topological_moves(false, np));
+      (surface_mesh, atlas, time, Anisotropic_mesh_2::parameters::quality_moves(false, np));
     if(internal::is_stopped_from_outside(code))
       return code;
   }

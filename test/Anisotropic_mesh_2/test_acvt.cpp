@@ -191,7 +191,7 @@ void test_hessian()
 {
   const Case c = paper_cases()[0];
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0., np::topological_moves(false)).number_of_iterations(5));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).quality_moves(false).number_of_iterations(5));
   const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
   std::vector<Region_moments> moments;
   Bisector_hessian couplings;

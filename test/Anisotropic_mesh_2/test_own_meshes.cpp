@@ -62,7 +62,7 @@ void test_own_vertex_base()
   CHECK(mesh.empty_mesh().number_of_vertices() < mesh.number_of_vertices());
   CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
   check_names(mesh, "Lloyd");
-  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::topological_moves(false));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::quality_moves(false));
   check_names(mesh, "quasi-Newton");
   CHECK(mesh.number_of_vertices() == by_default.number_of_vertices());
 }

@@ -223,7 +223,7 @@ void check_gradient(const Surface& surface, const std::string& name)
   const auto field = surface_field(surface, [](const Point_3& p) { return 0.15 + 0.1 * std::abs(p.z()); });
   const auto gradient = [&](int iterations) {
     return CGAL::anisotropic_surface_mesh_statistics_3(CGAL::make_anisotropic_surface_mesh_3
-      (field, np::topological_moves(false).number_of_iterations(iterations))).gradient_norm;
+      (field, np::quality_moves(false).number_of_iterations(iterations))).gradient_norm;
   };
   const double before = gradient(0), after = gradient(300);
   CHECK_MSG(std::isfinite(before) && after > 0 && after < 0.1 * before,
@@ -390,7 +390,7 @@ void test_optimizer()
   const auto size = [](const Point_3& q) { return 0.15 + 0.05 * q.y(); };
   const auto check = [&](const Any_surface_field& field, const std::string& name) {
     const auto start = CGAL::make_anisotropic_surface_mesh_3
-      (field, np::topological_moves(false).number_of_iterations(0));
+      (field, np::quality_moves(false).number_of_iterations(0));
     auto mesh = start;
     CHECK_MSG(optimize(mesh, 100, 1e-9) == CGAL::TIME_LIMIT_REACHED, name);
     CHECK_MSG(optimize(mesh, 100, 0, false) == CGAL::BOUND_REACHED, name);
@@ -437,7 +437,7 @@ void test_part_on_both_sides_of_seam()
                                             Point_2(u + 2 * CGAL_PI, height), Point_2(u, height)});
     auto mesh = CGAL::make_anisotropic_surface_mesh_3(domain, field);
     const std::size_t vertices = mesh.number_of_vertices(), faces = mesh.number_of_faces();
-    CGAL::optimize_anisotropic_surface_mesh_3(mesh, np::topological_moves(false));
+    CGAL::optimize_anisotropic_surface_mesh_3(mesh, np::quality_moves(false));
     CHECK(mesh.number_of_vertices() == vertices && mesh.number_of_faces() == faces);
     CHECK(euler_characteristic(in_space(mesh)) == 1);
     check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), 0.96, 0.6, "part of a torus");

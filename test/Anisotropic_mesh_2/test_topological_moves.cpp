@@ -145,9 +145,9 @@ void test_case(const Case& c)
 {
   const Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh without = mesh, with = mesh, again = mesh;
-  CGAL::optimize_anisotropic_mesh_2(without, np::topological_moves(false).number_of_iterations(40));
+  CGAL::optimize_anisotropic_mesh_2(without, np::quality_moves(false).number_of_iterations(40));
   CGAL::optimize_anisotropic_mesh_2(with, CGAL::parameters::number_of_iterations(40));
-  CGAL::optimize_anisotropic_mesh_2(again, np::topological_moves(true).number_of_iterations(40));
+  CGAL::optimize_anisotropic_mesh_2(again, np::quality_moves(true).number_of_iterations(40));
 
   CHECK(without.number_of_vertices() == mesh.number_of_vertices());
   check_untouched(c.name, without, with, is_constant(c) ? 2 : 1);
@@ -368,7 +368,7 @@ void test_failing_field()
   const Case c = paper_cases()[3];
   const auto state = std::make_shared<Failing_field::State>();
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, Field(Failing_field{state, c.field}));
-  CGAL::optimize_anisotropic_mesh_2(mesh, np::topological_moves(false).number_of_iterations(5));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::quality_moves(false).number_of_iterations(5));
   int failures = 0;
   for(long n = 1000; n < 300000; n *= 3) {
     Mesh copy = mesh;
@@ -423,14 +423,14 @@ void test_no_moves()
   CGAL::optimize_anisotropic_mesh_2(a, CGAL::parameters::number_of_iterations(0));
   CHECK(faces_of(a) == faces_of(mesh));
   CHECK(CGAL::optimize_anisotropic_mesh_2(b, CGAL::parameters::visitor(Stop())) == CGAL::BOUND_REACHED);
-  CGAL::optimize_anisotropic_mesh_2(d, np::topological_moves(false).number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(d, np::quality_moves(false).number_of_iterations(3));
   CHECK(faces_of(b) == faces_of(d));
 
   using CGAL::Anisotropic_mesh_2::Measure; // moves would raise an energy whose optimum is no unit mesh
   Mesh e = mesh, f = mesh, g = mesh;
   CGAL::optimize_anisotropic_mesh_2(e, np::measure(Measure::LEBESGUE).number_of_iterations(3));
-  CGAL::optimize_anisotropic_mesh_2(f, np::measure(Measure::LEBESGUE, np::topological_moves(false)).number_of_iterations(3));
-  CGAL::optimize_anisotropic_mesh_2(g, np::measure(Measure::LEBESGUE, np::topological_moves(true)).number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(f, np::measure(Measure::LEBESGUE, np::quality_moves(false)).number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(g, np::measure(Measure::LEBESGUE, np::quality_moves(true)).number_of_iterations(3));
   CHECK(faces_of(e) == faces_of(f) && faces_of(e) != faces_of(g));
 }
 

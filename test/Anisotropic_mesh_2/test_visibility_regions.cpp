@@ -496,8 +496,8 @@ void test_optimizers()
   const Case c = paper_cases()[1];
   for(Measure measure : {Measure::RIEMANNIAN, Measure::LEBESGUE}) {
     const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-    const auto parameters = np::region_evaluation(Region_evaluation::VISIBILITY_REGIONS,
-                              np::measure(measure, np::convergence(0.))).number_of_iterations(8);
+    const auto parameters = np::region_evaluation(Region_evaluation::VISIBILITY_REGIONS)
+      .measure(measure).convergence(0.).number_of_iterations(8);
     Mesh lloyd = start, quick = start;
     CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(lloyd, parameters) == CGAL::MAX_ITERATION_NUMBER_REACHED);
     CHECK(CGAL::optimize_anisotropic_mesh_2(quick, parameters) == CGAL::MAX_ITERATION_NUMBER_REACHED);
@@ -508,7 +508,7 @@ void test_optimizers()
     }
     Mesh by_faces = start;
     CGAL::lloyd_optimize_anisotropic_mesh_2
-      (by_faces, np::region_evaluation(Region_evaluation::BY_FACES, np::measure(measure, np::convergence(0.)))
+      (by_faces, np::region_evaluation(Region_evaluation::BY_FACES).measure(measure).convergence(0.)
                    .number_of_iterations(8));
     const double energy = value(Facewise_energy<Mesh>(by_faces, measure));
     CHECK(std::abs(value(Facewise_energy<Mesh>(lloyd, measure)) / energy - 1) < 0.01);
