@@ -20,10 +20,8 @@
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
-#include <CGAL/Mesh_optimization_return_code.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
@@ -95,19 +93,6 @@ private:
   Run_report*    m_report;
 };
 
-inline std::string name_of(CGAL::Mesh_optimization_return_code code)
-{
-  switch(code) {
-  case CGAL::TIME_LIMIT_REACHED:           return "time limit";
-  case CGAL::CANT_IMPROVE_ANYMORE:         return "no more improvement";
-  case CGAL::CONVERGENCE_REACHED:          return "convergence";
-  case CGAL::MAX_ITERATION_NUMBER_REACHED: return "number of iterations";
-  case CGAL::BOUND_REACHED:                return "interrupted";
-  case CGAL::ALL_VERTICES_FROZEN:          return "all vertices frozen";
-  default:                                 return "failure of the optimizer";
-  }
-}
-
 inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run_report& report)
 {
   if(options.optimizer == Optimizer::NONE)
@@ -116,15 +101,15 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   const auto parameters = np::convergence(options.tolerance).measure(measure_of(options))
     .number_of_iterations(options.iterations)
     .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
+    .method(options.optimizer == Optimizer::LLOYD ? CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD
+                                                  : CGAL::Anisotropic_mesh_2::Optimization_method::QUASI_NEWTON)
     .visitor(Progress_visitor(options, progress, report));
   const Interruption interruption;
   CGAL::Real_timer timer;
   timer.start();
-  const CGAL::Mesh_optimization_return_code code = options.optimizer == Optimizer::LLOYD
-    ? CGAL::lloyd_optimize_anisotropic_mesh_2<Concurrency_tag>(mesh, parameters)
-    : CGAL::optimize_anisotropic_mesh_2<Concurrency_tag>(mesh, parameters);
+  const auto result = CGAL::optimize_anisotropic_mesh_2<Concurrency_tag>(mesh, parameters);
   report.seconds_optimize = timer.time();
-  report.stop_reason = name_of(code);
+  report.stop_reason = result.reason();
 }
 
 inline auto statistics(const Mesh& mesh, const Options& options)

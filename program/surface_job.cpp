@@ -90,11 +90,11 @@ void optimize(Surface_mesh& mesh, const Options& options, Progress& progress, Ru
   const Interruption interruption;
   CGAL::Real_timer timer;
   timer.start();
-  report.stop_reason = name_of(CGAL::optimize_anisotropic_surface_mesh_3<Concurrency_tag>
+  report.stop_reason = CGAL::optimize_anisotropic_surface_mesh_3<Concurrency_tag>
     (mesh, CGAL::Anisotropic_mesh_2::parameters::convergence(options.tolerance)
              .number_of_iterations(options.iterations)
              .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
-             .visitor(Surface_visitor(progress, timer, report))));
+             .visitor(Surface_visitor(progress, timer, report))).reason();
   report.seconds_optimize = timer.time();
 }
 

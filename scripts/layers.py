@@ -34,9 +34,9 @@ LAYERS = {
         Anisotropic_mesh_2/Voronoi_bisector_2 Anisotropic_mesh_2/Voronoi_duality_2
         Anisotropic_mesh_2/Voronoi_piece_2 Anisotropic_mesh_2/Voronoi_region_2
         Anisotropic_mesh_2/Visibility_sampling Anisotropic_Voronoi_diagram_2 anisotropic_visibility_region_2""",
-    "energy": "Anisotropic_mesh_2/Region_evaluation anisotropic_mass_centre_2",
-    "optimization": "Anisotropic_mesh_2/Optimization_state lloyd_optimize_anisotropic_mesh_2",
-    "quality_moves": "optimize_anisotropic_mesh_2",
+    "energy": "anisotropic_mass_centre_2",
+    "optimization": "Anisotropic_mesh_2/Optimization_state",
+    "quality_moves": "improve_anisotropic_mesh_2 optimize_anisotropic_mesh_2",
     "statistics": """Anisotropic_mesh_2/Mesh_statistics Anisotropic_mesh_2/Approximation_error
         anisotropic_mesh_statistics_2 piecewise_constant_approximation_error_2
         piecewise_linear_approximation_error_2""",

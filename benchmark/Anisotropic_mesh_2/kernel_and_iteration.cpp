@@ -17,7 +17,6 @@
 #include <CGAL/Random.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <benchmark/benchmark.h>
@@ -189,7 +188,8 @@ auto mesh_of(const Cdt& cdt)
 void lloyd_iteration(benchmark::State& state)
 {
   time_iterations(state, mesh_of(cgal_mesh(state.range(0))), [](auto& mesh) {
-    CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(iterations));
+    CGAL::optimize_anisotropic_mesh_2(mesh, np::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD)
+                                                .convergence(0.).number_of_iterations(iterations));
   });
 }
 

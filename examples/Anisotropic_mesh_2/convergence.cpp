@@ -5,7 +5,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cmath>
@@ -45,7 +44,8 @@ void compare(const std::string& name, const std::vector<Point>& polygon, const F
   domain.add_polygon(polygon);
   const auto unit_mesh = CGAL::make_anisotropic_mesh_2(domain, field);
   auto mesh = unit_mesh;
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, parameters(name + "\tLloyd"));
+  CGAL::optimize_anisotropic_mesh_2(mesh, parameters(name + "\tLloyd")
+                                          .method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD));
   mesh = unit_mesh;
   CGAL::optimize_anisotropic_mesh_2(mesh, parameters(name + "\tquasi-Newton"));
 }

@@ -7,7 +7,7 @@
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cmath>
@@ -18,12 +18,14 @@
 using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point  = K::Point_2;
 using Tensor = CGAL::Metric_tensor_2<K>;
+namespace np = CGAL::Anisotropic_mesh_2::parameters;
 
 template <class Field>
 void tessellate(const std::string& name, const CGAL::Anisotropic_mesh_domain_2<K>& domain, const Field& field)
 {
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(60));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD)
+                                          .number_of_iterations(60));
   std::cout << name << '\n' << CGAL::anisotropic_mesh_statistics_2(mesh) << std::endl;
   CGAL::IO::write_SVG(name + ".svg", mesh);
   CGAL::IO::write_SVG(name + "_tessellation.svg", CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)>(mesh));

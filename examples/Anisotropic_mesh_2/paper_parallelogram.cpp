@@ -9,7 +9,7 @@
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <iostream>
@@ -19,6 +19,7 @@
 using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point  = K::Point_2;
 using Tensor = CGAL::Metric_tensor_2<K>;
+namespace np = CGAL::Anisotropic_mesh_2::parameters;
 using Field  = CGAL::Constant_metric_field_2<K>;
 using Mesh   = CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K, Field> >;
 
@@ -51,7 +52,8 @@ int main()
   report(mesh, 0);
   int done = 0;
   for(int iterations : {5, 30, 100}) {
-    CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(iterations - done));
+    CGAL::optimize_anisotropic_mesh_2(mesh, np::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD)
+                                            .number_of_iterations(iterations - done));
     report(mesh, done = iterations);
   }
   return mesh.is_valid() ? 0 : 1;

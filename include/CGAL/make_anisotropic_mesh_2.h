@@ -80,8 +80,7 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
 /// The curves of the boundary and the inner constraints are divided into parts
 /// of equal Riemannian length close to 1, their end points kept. Of these edges
 /// the empty mesh is built, and `refine_anisotropic_mesh_2()` fills it.
-/// The result is what the optimizers `optimize_anisotropic_mesh_2()` and
-/// `lloyd_optimize_anisotropic_mesh_2()` start from.
+/// The result is what `optimize_anisotropic_mesh_2()` starts from.
 ///
 /// The time is that of `Anisotropic_mesh_domain_2::validate()` and linear in the number of vertices.
 ///

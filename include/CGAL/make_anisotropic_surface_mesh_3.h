@@ -79,7 +79,7 @@ make_anisotropic_surface_mesh_3(const Anisotropic_mesh_domain_2<K>& domain, cons
 /// Where a parameter is periodic, the mesh is closed: the unit mesh of
 /// the rectangle of parameters gets the same vertices on the sides that
 /// coincide, and discs around the poles in polar coordinates. It is then optimized by
-/// `optimize_anisotropic_surface_mesh_3()`, which may also be called on its own, for the sake of its return code, if
+/// `optimize_anisotropic_surface_mesh_3()`, which may also be called on its own, for the sake of its result, if
 /// `number_of_iterations(0)` is given here.
 ///
 /// Of the named parameters for unit meshes, `point_placement` and `keep_boundary_points` have no effect on a
@@ -111,7 +111,8 @@ make_anisotropic_surface_mesh_3(const Field& field, const CGAL_NP_CLASS& np = CG
   const std::size_t limit = choose_parameter<std::size_t>
     (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
   internal::Closed_surface_mesher<Field>{surface_mesh, limit}();
-  optimize_anisotropic_surface_mesh_3<ConcurrencyTag>(surface_mesh, np);
+  if(choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0)
+    optimize_anisotropic_surface_mesh_3<ConcurrencyTag>(surface_mesh, np);
   return surface_mesh;
 }
 

@@ -7,31 +7,159 @@
 #ifndef CGAL_OPTIMIZE_ANISOTROPIC_MESH_2_H
 #define CGAL_OPTIMIZE_ANISOTROPIC_MESH_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Quality_improver.h>
-#include <CGAL/Anisotropic_mesh_2/internal/optimization/optimize_acvt.h>
-#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
+#include <CGAL/Anisotropic_mesh_2/Optimization_state.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/reason_to_stop.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Full_region_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Acvt_optimizer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_reinserter.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
+#include <CGAL/improve_anisotropic_mesh_2.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <cstddef>
+#include <ostream>
+#include <type_traits>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
+
+/// \ingroup PkgAnisotropicMesh2Enums
+///
+/// how `CGAL::optimize_anisotropic_mesh_2()` minimizes the energy.
+enum class Optimization_method
+{
+  /// L-BFGS with an approximation of the Hessian \cgalCite{ln-lmbm-89}; ten to fifteen iterations reach the energy of
+  /// a hundred of Lloyd. The triangulation is updated in place by flips, and handles to vertices stay valid.
+  QUASI_NEWTON,
+  /// Lloyd's iteration as in section 4 of \cgalCite{dw-acvt-05}: all vertices move to the mass centres of their regions
+  /// and are inserted anew into the stored empty mesh. Vertices keep their indices and what else their type stores;
+  /// handles to vertices and faces do not stay valid. An iteration takes \f$ O(n \log n) \f$ time.
+  LLOYD
+};
+
+/// \ingroup PkgAnisotropicMesh2Enums
+///
+/// from what the optimizers take energies and mass centres.
+enum class Region_evaluation
+{
+  /// from the faces, each divided among the vertices nearby by their bisectors: the fastest.
+  BY_FACES,
+  /// from the visibility regions of section 4.1 of \cgalCite{dw-acvt-05}, see
+  /// `CGAL::anisotropic_visibility_region_2()`.
+  VISIBILITY_REGIONS,
+  /// from the full anisotropic Voronoi regions, orphans included, see
+  /// `CGAL::Anisotropic_Voronoi_diagram_2`.
+  FULL_REGIONS
+};
+
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// what `CGAL::optimize_anisotropic_mesh_2()` and `CGAL::optimize_anisotropic_surface_mesh_3()` return.
+///
+/// Energy and largest move are those of the vertices at the end of the iteration, before faces of low quality are
+/// improved.
+struct Optimization_result
+{
+  Mesh_optimization_return_code return_code = ALL_VERTICES_FROZEN; ///< why the iteration stopped
+  std::size_t iterations = 0;  ///< how many were done
+  std::size_t evaluations = 0; ///< how many times the energy was evaluated
+  double energy = 0;           ///< in the measure of the optimizer
+  double largest_move = 0;     ///< the largest metric length of a Lloyd move, from a vertex to its mass centre
+  Quality_improvement quality; ///< the result of `CGAL::improve_anisotropic_mesh_2()`
+
+  /// returns why the iteration stopped, in words.
+  const char* reason() const { return internal::reason_to_stop(return_code); }
+
+  /// writes all that on one line, without its end.
+  friend std::ostream& operator<<(std::ostream& os, const Optimization_result& r)
+  {
+    return os << r.reason() << " after " << r.iterations << " iterations and " << r.evaluations
+              << " evaluations, energy " << r.energy << ", largest move " << r.largest_move
+              << "; quality: " << r.quality;
+  }
+};
+
 namespace internal {
 
-// whether topological moves are to follow an optimization that has ended with `code`
-template <class NamedParameters>
-bool are_quality_moves_due(Mesh_optimization_return_code code, const NamedParameters& np)
+// Reads the named parameters that both methods share, sets up an optimizer
+// with the given way to move vertices, and runs `method` on it.
+template <class ConcurrencyTag, class Mover, class Mesh, class Method, class NamedParameters>
+Optimization_result optimize_acvt(Mesh& mesh, double energy_reduction, const Method& method,
+                                  const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
+
+  Stopping_criteria criteria;
+  criteria.number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
+                                                   criteria.number_of_iterations);
+  criteria.time_limit = choose_parameter(get_parameter(np, internal_np::maximum_running_time), criteria.time_limit);
+  criteria.convergence = choose_parameter(get_parameter(np, convergence_t()), criteria.convergence);
+  criteria.energy_reduction = choose_parameter(get_parameter(np, energy_reduction_t()), energy_reduction);
+  CGAL_precondition(criteria.time_limit >= 0);
+  CGAL_precondition(criteria.energy_reduction >= 0);
+  CGAL_precondition(criteria.convergence >= 0);
   const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
-  const bool makes_unit_mesh = measure == Measure::RIEMANNIAN;
+
+  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_optimization_visitor());
+
+  Mover mover(mesh);
+  const auto run = [&](auto energy) -> Optimization_result {
+    Acvt_optimizer<ConcurrencyTag, decltype(energy), Mover, decltype(visitor)>
+      optimizer(energy, mover, criteria, visitor);
+    const Mesh_optimization_return_code code = method(optimizer);
+    const Optimization_state& s = optimizer.state();
+    return {code, s.iteration, s.evaluations, s.energy, s.largest_move, {}};
+  };
+
+  // without the parameter, users do not pay for the compilation of the others
+  typedef std::decay_t<decltype(get_parameter(np, region_evaluation_t()))> Given;
+  if constexpr(!std::is_same<Given, internal_np::Param_not_found>::value) {
+    const Region_evaluation evaluation = get_parameter(np, region_evaluation_t());
+    if(evaluation == Region_evaluation::VISIBILITY_REGIONS)
+      return run(Visibility_energy<Mesh>(mesh, measure));
+    if(evaluation == Region_evaluation::FULL_REGIONS)
+      return run(Full_region_energy<Mesh, ConcurrencyTag>(mesh, measure));
+  }
+  return run(Facewise_energy<Mesh, ConcurrencyTag>(mesh, measure));
+}
+
+template <class ConcurrencyTag, class Mesh, class NamedParameters>
+Optimization_result optimize_by_lloyd(Mesh& mesh, const NamedParameters& np)
+{
+  return optimize_acvt<ConcurrencyTag, Vertex_reinserter<Mesh> >
+    (mesh, 0., [](auto& optimizer) { return optimizer.lloyd(); }, np);
+}
+
+template <class ConcurrencyTag, class Mesh, class NamedParameters>
+Optimization_result optimize_by_quasi_newton(Mesh& mesh, const NamedParameters& np)
+{
+  return optimize_acvt<ConcurrencyTag, Vertex_mover<Mesh, ConcurrencyTag> >
+    (mesh, 3e-4, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
+}
+
+template <class NamedParameters>
+bool are_quality_moves_wanted(const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const bool makes_unit_mesh
+    = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN) == Measure::RIEMANNIAN
+   && choose_parameter(get_parameter(np, method_t()), Optimization_method::QUASI_NEWTON)
+        == Optimization_method::QUASI_NEWTON;
   return choose_parameter(get_parameter(np, quality_moves_t()), makes_unit_mesh)
-      && choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0
-      && code != BOUND_REACHED && code != TIME_LIMIT_REACHED;
+      && choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0;
+}
+
+inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
+{
+  return code == BOUND_REACHED || code == TIME_LIMIT_REACHED;
 }
 
 } // namespace internal
@@ -40,69 +168,122 @@ bool are_quality_moves_due(Mesh_optimization_return_code code, const NamedParame
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// minimizes the energy of the anisotropic Voronoi tessellation of the vertices
-/// of a mesh by a quasi-Newton method.
+/// of a mesh, by a quasi-Newton method or by Lloyd's iteration, and then calls `improve_anisotropic_mesh_2()`.
 ///
 /// The gradient of the energy and the mass centres come from the same
 /// integrals, since the directional distance to a generator does not depend on
 /// the tessellation to first order: Lloyd's iteration is the gradient method
 /// preconditioned by the matrices \f$ A_i \f$ of the mass centres. The motion of the bisectors
 /// gives the rest of the Hessian. The L-BFGS method \cgalCite{ln-lmbm-89} is preconditioned by two steps
-/// of Chebyshev's iteration with that Hessian, which reaches the energy of
-/// a hundred iterations of Lloyd in ten to fifteen. A step is shortened if the energy after it
-/// exceeds that of the last eight iterates \cgalCite{gll-nls-86}, and so are moves that would invert a face. The
-/// triangulation is updated in place by flips. An iteration takes time linear in the number of vertices
+/// of Chebyshev's iteration with that Hessian. A step is shortened if the energy after it
+/// exceeds that of the last eight iterates \cgalCite{gll-nls-86}, and so are moves that would invert a face.
+/// An iteration takes time linear in the number of vertices
 /// with the default `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's
 /// iteration as an open problem.
 ///
-/// At the end, faces of low quality are improved if the measure is the
-/// Riemannian one: where the tessellation of least energy has badly shaped faces, next to pairs of vertices of
-/// degree 5 and 7 or where the metric changes much within a face, vertices leave their mass centres,
-/// and vertices are inserted or removed if that helps (edges swapping and vertex
-/// smoothing in section 3.2 of \cgalCite{dw-acvt-05}). The sum of the demerits of
-/// the faces falls with each such move, the least quality around it does not, and
-/// no more edges than before are outside of \f$ [\sqrt{1/2}, \sqrt 2] \f$. Handles
-/// to vertices that are not removed stay valid; vertices that are not on
-/// constrained edges may get the indices of removed ones.
+/// Faces of low quality are improved at the end by `improve_anisotropic_mesh_2()`, which also inserts and removes
+/// vertices, unless `quality_moves` says otherwise.
 ///
 /// Vertices on constrained edges stay where they are.
 ///
-/// \tparam ConcurrencyTag as for `lloyd_optimize_anisotropic_mesh_2()`; the vertices are moved by all threads as well.
+/// The field is evaluated about 40 times per vertex if the metric is mild; where it changes much within an edge, so that
+/// faces are quartered and steps are tried in vain, several thousand times have been counted.
+///
+/// \tparam ConcurrencyTag enables sequential or parallel work: `Sequential_tag`, `Parallel_tag` or
+/// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field from several threads at
+/// the same time. The result is the same to the bit.
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters
 /// \param mesh the mesh, with its domain marked.
-/// \param np an optional sequence of named parameters, those of
-/// `lloyd_optimize_anisotropic_mesh_2()`, with the same defaults but for `energy_reduction`
-/// (\f$ 3 \cdot 10^{-4} \f$; with 0 it stops when more than ten iterations have not lowered the energy at all), and
+/// \param np an optional sequence of named parameters among those listed below
 ///
 /// \cgalNamedParamsBegin
+///   \cgalParamNBegin{method}
+///     \cgalParamDescription{how the energy is minimized}
+///     \cgalParamType{`Anisotropic_mesh_2::Optimization_method`}
+///     \cgalParamDefault{`QUASI_NEWTON`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_iterations}
+///     \cgalParamDescription{the largest number of iterations; 0 for none}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{100}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{convergence}
+///     \cgalParamDescription{the iteration stops when no vertex is farther from
+///       the mass centre of its region than this, measured in the tensor of the vertex}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0.001, a thousandth of the ideal length of an edge}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{energy_reduction}
+///     \cgalParamDescription{the iteration stops when more than ten iterations have lowered the energy by less than
+///       this share of it; with 0, the quasi-Newton method stops if they have not lowered it at all, and Lloyd's
+///       iteration does not stop for this reason}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{\f$ 3 \cdot 10^{-4} \f$, or 0 for Lloyd's iteration}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{real time in seconds after which no new iteration begins and no new face is improved;
+///       0 for no limit}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{measure}
+///     \cgalParamDescription{the measure of energies and mass centres}
+///     \cgalParamType{`Anisotropic_mesh_2::Measure`}
+///     \cgalParamDefault{`RIEMANNIAN`, whose optimum has edges of unit length}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{region_evaluation}
+///     \cgalParamDescription{what energies and mass centres are taken from}
+///     \cgalParamType{`Anisotropic_mesh_2::Region_evaluation`}
+///     \cgalParamDefault{`BY_FACES`, the fastest}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{quality_moves}
-///     \cgalParamDescription{whether faces of low quality are improved at the end, unless the time
-///       limit or the visitor has stopped the optimization, or `number_of_iterations` is 0. If not, handles to
-///       vertices and their indices stay.}
+///     \cgalParamDescription{whether `improve_anisotropic_mesh_2()` is called at the end, unless the time
+///       limit or the visitor has stopped the optimization, or `number_of_iterations` is 0. If not, the vertices and
+///       their indices stay.}
 ///     \cgalParamType{`bool`}
-///     \cgalParamDefault{whether the measure is `RIEMANNIAN`: with that of Lebesgue the optimum is no unit
-///       mesh and has faces of less quality, and these moves would raise its energy by some percent}
+///     \cgalParamDefault{whether `measure` is `RIEMANNIAN` and `method` is `QUASI_NEWTON`: with the measure of Lebesgue
+///       the optimum is no unit mesh and has faces of less quality, and these moves would raise its energy by some percent}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{an object whose member `bool iteration(const Anisotropic_mesh_2::Optimization_state&)`
+///       is called after each iteration, and once before the first; `false` stops the optimizer}
+///     \cgalParamType{any class with that member}
+///     \cgalParamDefault{`Anisotropic_mesh_2::Default_optimization_visitor`}
+///     \cgalParamExtra{The visitor is copied; what it collects it must hold by pointer or reference.}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// See \ref AnisotropicMesh2NamedParameters for all of them.
 ///
-/// \return why the moves of the first kind stopped: a `Mesh_optimization_return_code` of \cgal, as
-/// `lloyd_optimize_anisotropic_mesh_2()` returns it; `CANT_IMPROVE_ANYMORE` also if no step lowers the energy within
-/// the accuracy to which it is evaluated. The mesh is valid in each case.
+/// \return why the iteration stopped, and the numbers at its end. The return code is `CONVERGENCE_REACHED`,
+/// `MAX_ITERATION_NUMBER_REACHED`, `CANT_IMPROVE_ANYMORE` if the energy fell too little or no step lowers it within the
+/// accuracy to which it is evaluated, `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
+/// `ALL_VERTICES_FROZEN` if no vertex is free to move. The mesh is valid in each case.
 /// \pre no number given is negative.
-/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain; the mesh is
+/// valid then, with the vertices on their way.
 template <class ConcurrencyTag = Sequential_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
-Mesh_optimization_return_code
+Anisotropic_mesh_2::Optimization_result
 optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
-  const Mesh_optimization_return_code code
-    = internal::optimize_acvt<ConcurrencyTag, internal::Vertex_mover<Mesh, ConcurrencyTag> >
-        (mesh, 3e-4, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
-  if(internal::are_quality_moves_due(code, np))
-    internal::Quality_improver<Mesh>{mesh}();
-  return code;
+  const internal::Time_budget time(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.));
+  const auto optimize = [&] {
+    // without the parameter, users do not pay for the compilation of Lloyd's iteration
+    typedef std::decay_t<decltype(get_parameter(np, internal::method_t()))> Given;
+    if constexpr(!std::is_same<Given, internal_np::Param_not_found>::value)
+      if(get_parameter(np, internal::method_t()) == Anisotropic_mesh_2::Optimization_method::LLOYD)
+        return internal::optimize_by_lloyd<ConcurrencyTag>(mesh, np);
+    return internal::optimize_by_quasi_newton<ConcurrencyTag>(mesh, np);
+  };
+  Anisotropic_mesh_2::Optimization_result result = optimize();
+  if(internal::are_quality_moves_wanted(np) && !internal::is_stopped_from_outside(result.return_code))
+    result.quality
+      = improve_anisotropic_mesh_2(mesh, Anisotropic_mesh_2::parameters::maximum_running_time(time.remaining()));
+  return result;
 }
 
 } // namespace CGAL

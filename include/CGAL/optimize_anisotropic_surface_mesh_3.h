@@ -7,6 +7,7 @@
 #ifndef CGAL_OPTIMIZE_ANISOTROPIC_SURFACE_MESH_3_H
 #define CGAL_OPTIMIZE_ANISOTROPIC_SURFACE_MESH_3_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Chart_mesh.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Surface_atlas.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
@@ -14,68 +15,60 @@
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
-#include <CGAL/Real_timer.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cstddef>
 
 namespace CGAL {
 namespace Anisotropic_mesh_2 {
 namespace internal {
 
-// The seconds that are left of a limit, where 0 stands for none, as in the named parameter.
-class Time_budget
+// why two optimizers together stopped, of which the first one was not stopped from outside
+inline Mesh_optimization_return_code combined_return_code(Mesh_optimization_return_code a,
+                                                          Mesh_optimization_return_code b)
 {
-public:
-  explicit Time_budget(double limit) : m_limit(limit)
-  {
-    CGAL_precondition(limit >= 0);
-    m_timer.start();
-  }
-
-  bool is_spent() const { return m_limit > 0 && m_timer.time() >= m_limit; }
-  double remaining() const { return m_limit > 0 ? (std::max)(m_limit - m_timer.time(), 1e-9) : 0; }
-
-private:
-  double     m_limit;
-  Real_timer m_timer;
-};
-
-inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
-{
-  return code == BOUND_REACHED || code == TIME_LIMIT_REACHED;
-}
-
-// why two optimizers together stopped, of which none was stopped from outside
-inline Mesh_optimization_return_code joined(Mesh_optimization_return_code a, Mesh_optimization_return_code b)
-{
-  if(a == ALL_VERTICES_FROZEN)
+  const auto has_done_nothing = [](Mesh_optimization_return_code code) {
+    return code == ALL_VERTICES_FROZEN || code == MESH_OPTIMIZATION_UNKNOWN_ERROR;
+  };
+  if(has_done_nothing(a) || is_stopped_from_outside(b))
     return b;
-  return a == MAX_ITERATION_NUMBER_REACHED || b == ALL_VERTICES_FROZEN ? a : b;
+  return a == MAX_ITERATION_NUMBER_REACHED || has_done_nothing(b) ? a : b;
 }
 
-// Optimizes the part in each chart of an atlas in turn, with its rim fixed.
-template <class ConcurrencyTag, class Field, class NamedParameters>
-Mesh_optimization_return_code optimize_charts(Anisotropic_surface_mesh_3<Field>& surface_mesh,
-                                              const Surface_atlas<Field>& atlas, const Time_budget& time,
-                                              const NamedParameters& np)
+inline void add(const Optimization_result& of_chart, Optimization_result& sum)
 {
-  Mesh_optimization_return_code result = ALL_VERTICES_FROZEN;
+  sum.return_code = combined_return_code(sum.return_code, of_chart.return_code);
+  sum.iterations += of_chart.iterations;
+  sum.evaluations += of_chart.evaluations;
+  sum.energy += of_chart.energy;
+  sum.largest_move = (std::max)(sum.largest_move, of_chart.largest_move);
+  sum.quality.return_code = combined_return_code(sum.quality.return_code, of_chart.quality.return_code);
+  sum.quality.trials += of_chart.quality.trials;
+  sum.quality.improvements += of_chart.quality.improvements;
+}
+
+// Optimizes the part in each chart of an atlas in turn, with its border fixed. The
+// iterations and evaluations of earlier rounds are kept in the result.
+template <class ConcurrencyTag, class Field, class NamedParameters>
+void optimize_charts(Anisotropic_surface_mesh_3<Field>& surface_mesh, const Surface_atlas<Field>& atlas,
+                     const Time_budget& time, const NamedParameters& np, Optimization_result& result)
+{
+  result = {ALL_VERTICES_FROZEN, result.iterations, result.evaluations, 0, 0, {}};
   for(const auto& part : atlas.parts) {
     Chart_mesh<Field> chart(surface_mesh, part);
     if(chart.faces().empty() || !chart.triangulate())
       continue;
-    if(time.is_spent())
-      return TIME_LIMIT_REACHED;
-    const Mesh_optimization_return_code code
+    if(time.is_spent()) {
+      result.return_code = TIME_LIMIT_REACHED;
+      return;
+    }
+    const Optimization_result of_chart
       = optimize_anisotropic_mesh_2<ConcurrencyTag>(chart.mesh(), np.maximum_running_time(time.remaining()));
-    chart.write_to(surface_mesh);
-    if(is_stopped_from_outside(code))
-      return code;
-    result = joined(result, code);
+    add(of_chart, result);
+    if(of_chart.iterations > 0 || of_chart.quality.improvements > 0)
+      chart.write_to(surface_mesh);
+    if(is_stopped_from_outside(result.return_code))
+      return;
   }
-  return result;
 }
 
 } // namespace internal
@@ -87,7 +80,7 @@ Mesh_optimization_return_code optimize_charts(Anisotropic_surface_mesh_3<Field>&
 /// surface (section 5.2 of \cgalCite{dw-acvt-05}).
 ///
 /// The part of the mesh in each chart of an atlas is optimized by `optimize_anisotropic_mesh_2()`,
-/// with its rim fixed. Charts are cut at different places, so that each vertex is free in at least one of
+/// with its border fixed. Charts are cut at different places, so that each vertex is free in at least one of
 /// them; where there are several, they take three rounds, after which seams and poles of the parameters have left no
 /// trace. Bad faces are improved in the last round only, since that moves vertices away from their mass centres.
 ///
@@ -101,31 +94,30 @@ Mesh_optimization_return_code optimize_charts(Anisotropic_surface_mesh_3<Field>&
 /// that of the whole; `number_of_iterations` and the other criteria hold for each chart in each round. The
 /// visitor is copied for each, and is shown the state of a chart.
 ///
-/// \return why it stopped, as `optimize_anisotropic_mesh_2()`, which for several charts is
-/// `MAX_ITERATION_NUMBER_REACHED` if that is so of any in the last round. The mesh is valid in each case, and as it
+/// \return what `optimize_anisotropic_mesh_2()` returns, over all charts: the numbers of iterations and evaluations are
+/// those of all rounds, the rest is of the last one. The energy is the sum over the charts, which overlap. The return code
+/// is `MAX_ITERATION_NUMBER_REACHED` if that is so of any chart. The mesh is valid in each case, and as it
 /// was if `number_of_iterations` is 0.
-/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface; the mesh is
+/// valid then, with the charts before optimized.
 template <class ConcurrencyTag = Sequential_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
-Mesh_optimization_return_code
+Anisotropic_mesh_2::Optimization_result
 optimize_anisotropic_surface_mesh_3(Anisotropic_surface_mesh_3<Field>& surface_mesh,
-                           const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
+                                    const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
   const internal::Time_budget time(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.));
-  const std::size_t iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), std::size_t(1));
-  if(iterations == 0)
-    return MAX_ITERATION_NUMBER_REACHED;
   const internal::Surface_atlas<Field> atlas(surface_mesh.field());
-  const int preliminary_rounds = atlas.parts.size() > 1 ? 2 : 0;
-  for(int round = 0; round < preliminary_rounds; ++round) {
-    const Mesh_optimization_return_code code = internal::optimize_charts<ConcurrencyTag>
-      (surface_mesh, atlas, time, Anisotropic_mesh_2::parameters::quality_moves(false, np));
-    if(internal::is_stopped_from_outside(code))
-      return code;
-  }
-  return internal::optimize_charts<ConcurrencyTag>(surface_mesh, atlas, time, np);
+  const int rounds = atlas.parts.size() > 1 ? 3 : 1;
+  Anisotropic_mesh_2::Optimization_result result;
+  for(int round = 1; round < rounds && !internal::is_stopped_from_outside(result.return_code); ++round)
+    internal::optimize_charts<ConcurrencyTag>(surface_mesh, atlas, time,
+                                              Anisotropic_mesh_2::parameters::quality_moves(false, np), result);
+  if(!internal::is_stopped_from_outside(result.return_code))
+    internal::optimize_charts<ConcurrencyTag>(surface_mesh, atlas, time, np, result);
+  return result;
 }
 
 } // namespace CGAL

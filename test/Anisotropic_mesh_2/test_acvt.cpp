@@ -6,7 +6,6 @@
 
 #include <CGAL/Random.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 
 #include <algorithm>
@@ -249,7 +248,7 @@ void test_lloyd(const Case& c, double rise)
 {
   const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh mesh = start;
-  CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(12))
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.convergence(0.).number_of_iterations(12)).return_code
         == CGAL::MAX_ITERATION_NUMBER_REACHED);
   check_mesh(mesh, start, c.name + " by Lloyd's iteration");
 
@@ -291,8 +290,8 @@ void test_energy_falls()
       continue; // the metric doubles within an element there
     Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
     double rise = 0;
-    CGAL::lloyd_optimize_anisotropic_mesh_2
-      (mesh, np::convergence(0.).number_of_iterations(25).visitor(Monotone_visitor(rise)));
+    CGAL::optimize_anisotropic_mesh_2
+      (mesh, lloyd_method.convergence(0.).number_of_iterations(25).visitor(Monotone_visitor(rise)));
     const bool is_constant = c.name == "disc" || c.name == "parallelogram";
     CHECK_MSG(rise < (is_constant ? 1e-9 : 5e-4), c.name + ": " + std::to_string(rise));
   }
@@ -321,8 +320,8 @@ void test_acceleration(const Case& c)
     (c.domain, c.field, np::point_placement(CGAL::Anisotropic_mesh_2::Point_placement::EDGE_SUBDIVISION));
   Mesh by_lloyd = start, quick = start;
   std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> lloyd, newton;
-  CGAL::lloyd_optimize_anisotropic_mesh_2
-    (by_lloyd, np::convergence(0.).number_of_iterations(100).visitor(Recording_visitor(lloyd)));
+  CGAL::optimize_anisotropic_mesh_2
+    (by_lloyd, lloyd_method.convergence(0.).number_of_iterations(100).visitor(Recording_visitor(lloyd)));
   CGAL::optimize_anisotropic_mesh_2(quick, np::convergence(0.).number_of_iterations(25).visitor(Recording_visitor(newton)));
   CHECK(newton.front().energy == lloyd.front().energy);
   const auto below = std::find_if(newton.begin(), newton.end(),
@@ -370,18 +369,18 @@ void test_return_codes()
   const Case c = paper_cases()[4];
   const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh mesh = start;
-  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(0)) == CGAL::MAX_ITERATION_NUMBER_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(0)).return_code == CGAL::MAX_ITERATION_NUMBER_REACHED);
   CHECK(generators_of(mesh) == generators_of(start));
-  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).visitor(Stopping_visitor())) == CGAL::BOUND_REACHED);
-  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(100000).maximum_running_time(1e-9))
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).visitor(Stopping_visitor())).return_code == CGAL::BOUND_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(100000).maximum_running_time(1e-9)).return_code
         == CGAL::TIME_LIMIT_REACHED);
   CHECK(mesh.is_valid());
-  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.01).number_of_iterations(1000)) == CGAL::CONVERGENCE_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.01).number_of_iterations(1000)).return_code == CGAL::CONVERGENCE_REACHED);
 
   const Field coarse = [](const Point&) { return Tensor::from_size(1000); };
   Mesh empty = CGAL::make_anisotropic_mesh_2(c.domain, coarse);
-  CHECK(CGAL::optimize_anisotropic_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
-  CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(empty) == CGAL::ALL_VERTICES_FROZEN);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(empty).return_code == CGAL::ALL_VERTICES_FROZEN);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(empty, lloyd_method).return_code == CGAL::ALL_VERTICES_FROZEN);
 }
 
 // A field that fails during the optimization leaves a valid mesh behind.
@@ -402,7 +401,7 @@ void test_failing_field()
   CHECK(mesh.is_valid(true));
   CHECK(generators_of(mesh) == generators_of(start));
   fails = false;
-  CHECK_THROWS(CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::visitor(Sabotage{&fails})),
+  CHECK_THROWS(CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.visitor(Sabotage{&fails})),
                CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "at the point (");
   CHECK(mesh.is_valid(true));
 }

@@ -33,7 +33,6 @@
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Anisotropic_mesh_2/Labelle_Shewchuk_distance_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/piecewise_constant_approximation_error_2.h>
 #include <CGAL/piecewise_linear_approximation_error_2.h>
@@ -58,6 +57,7 @@ typedef Riemannian_metric_traits_archetype<CGAL::Simple_cartesian<double> >     
 typedef std::vector<Point_archetype>                                                   Points;
 
 namespace p = CGAL::Anisotropic_mesh_2::parameters;
+const auto lloyd_method = p::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD);
 
 // the archetypes promise what the concepts promise
 static_assert(models_metric_field<Metric_field_archetype<K>, K>(), "");
@@ -333,18 +333,18 @@ template <class Mesh>
 void test_optimizers(Mesh& mesh)
 {
   int calls = 0;
-  CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, p::convergence(0.).visitor(Visitor_archetype::make(calls)))
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.convergence(0.).visitor(Visitor_archetype::make(calls))).return_code
         == CGAL::BOUND_REACHED && calls == 5);
   CHECK(mesh.is_valid(true));
   calls = 0;
-  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, p::convergence(0.).visitor(Visitor_archetype::make(calls)))
+  CHECK(CGAL::optimize_anisotropic_mesh_2(mesh, p::convergence(0.).visitor(Visitor_archetype::make(calls))).return_code
         == CGAL::BOUND_REACHED && calls == 5);
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, p::measure(CGAL::Anisotropic_mesh_2::Measure::LEBESGUE)
+  CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.measure(CGAL::Anisotropic_mesh_2::Measure::LEBESGUE)
                                                   .number_of_iterations(2));
   CGAL::optimize_anisotropic_mesh_2(mesh);
   const auto by_regions = p::region_evaluation(CGAL::Anisotropic_mesh_2::Region_evaluation::VISIBILITY_REGIONS)
                             .number_of_iterations(2);
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, by_regions);
+  CGAL::optimize_anisotropic_mesh_2(mesh, by_regions.method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD));
   CGAL::optimize_anisotropic_mesh_2(mesh, by_regions);
   CHECK(mesh.is_valid(true));
 }
@@ -390,7 +390,7 @@ void test_field(const CGAL::Anisotropic_mesh_domain_2<K>& domain, const Field& f
 {
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field, p::maximum_number_of_vertices(10000));
   CHECK(mesh.is_valid(true) && mesh.number_of_vertices() > 15);
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
+  CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.number_of_iterations(2));
   CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);

@@ -8,7 +8,6 @@
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
 #include <algorithm>
@@ -56,7 +55,7 @@ void test_optimized(const Case& c, double unit_share, double quality_mean, doubl
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   const double area = area_of(mesh);
   if(by_lloyd)
-    CGAL::lloyd_optimize_anisotropic_mesh_2(mesh);
+    CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method);
   else
     CGAL::optimize_anisotropic_mesh_2(mesh);
   const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(mesh);
@@ -152,7 +151,7 @@ void test_clustered_start()
   const Mesh_statistics start = CGAL::anisotropic_mesh_statistics_2(mesh);
   CHECK(start.quality_mean < 0.7);
   Mesh lloyd = mesh;
-  CGAL::lloyd_optimize_anisotropic_mesh_2(lloyd, CGAL::parameters::number_of_iterations(200));
+  CGAL::optimize_anisotropic_mesh_2(lloyd, lloyd_method.number_of_iterations(200));
   const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(lloyd);
   CHECK_MSG(lloyd.is_valid(true) && s.quality_mean > 0.95, std::to_string(s.quality_mean));
   CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(200));
@@ -196,7 +195,7 @@ void test_field_defined_on_the_domain_only()
   domain.add_polygon(std::vector<Point>{Point(0, 0), Point(1, 0), Point(1, 0.5), Point(0.5, 0.5), Point(0.5, 1), Point(0, 1)});
   Mesh mesh = CGAL::make_anisotropic_mesh_2(domain, field);
   CGAL::optimize_anisotropic_mesh_2(mesh);
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(5));
+  CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.number_of_iterations(5));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.95);
 }

@@ -30,7 +30,6 @@
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/piecewise_linear_approximation_error_2.h>
 
@@ -84,13 +83,16 @@ void test_mesh(const Domain& domain, const Field& field)
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
   CHECK(mesh.is_valid(true) && mesh.number_of_vertices() > 20);
   CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
-  CGAL::lloyd_optimize_anisotropic_mesh_2
+  const auto lloyd_method = CGAL::Anisotropic_mesh_2::parameters::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD);
+  CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2
     (mesh, CGAL::Anisotropic_mesh_2::parameters::region_evaluation
-             (CGAL::Anisotropic_mesh_2::Region_evaluation::VISIBILITY_REGIONS).number_of_iterations(1));
-  CGAL::lloyd_optimize_anisotropic_mesh_2
+             (CGAL::Anisotropic_mesh_2::Region_evaluation::VISIBILITY_REGIONS)
+             .number_of_iterations(1).method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD));
+  CGAL::optimize_anisotropic_mesh_2
     (mesh, CGAL::Anisotropic_mesh_2::parameters::region_evaluation
-             (CGAL::Anisotropic_mesh_2::Region_evaluation::FULL_REGIONS).number_of_iterations(1));
+             (CGAL::Anisotropic_mesh_2::Region_evaluation::FULL_REGIONS)
+             .number_of_iterations(1).method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD));
   CHECK(mesh.is_valid(true));
   CHECK(CGAL::anisotropic_mesh_statistics_2(mesh).quality_mean > 0.7);
   const CGAL::Anisotropic_Voronoi_diagram_2<decltype(mesh)> diagram(mesh);

@@ -13,7 +13,6 @@
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <cmath>
@@ -60,7 +59,8 @@ void test_own_vertex_base()
     v->info() = "vertex " + std::to_string(v->index());
   check_names(mesh.empty_mesh(), "empty mesh");
   CHECK(mesh.empty_mesh().number_of_vertices() < mesh.number_of_vertices());
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
+  CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD)
+                                          .number_of_iterations(3));
   check_names(mesh, "Lloyd");
   CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::Anisotropic_mesh_2::parameters::quality_moves(false));
   check_names(mesh, "quasi-Newton");

@@ -14,7 +14,6 @@
 #include <CGAL/Random.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -257,7 +256,7 @@ public:
     optimize(5);
     check(m_mesh, "after the quasi-Newton method");
     change(30);
-    CGAL::lloyd_optimize_anisotropic_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(2));
+    CGAL::optimize_anisotropic_mesh_2(m_mesh, lloyd_method.number_of_iterations(2));
     check(m_mesh, "after Lloyd's iteration");
     change(10);
     optimize(2);

@@ -385,7 +385,7 @@ void test_optimizer()
 {
   const auto optimize = [](auto& mesh, int iterations, double seconds = 0, bool goes_on = true) {
     return CGAL::optimize_anisotropic_surface_mesh_3(mesh, CGAL::parameters::number_of_iterations(iterations)
-                                                    .maximum_running_time(seconds).visitor(Obeying_visitor{goes_on}));
+                                                    .maximum_running_time(seconds).visitor(Obeying_visitor{goes_on})).return_code;
   };
   const auto size = [](const Point_3& q) { return 0.15 + 0.05 * q.y(); };
   const auto check = [&](const Any_surface_field& field, const std::string& name) {
@@ -466,10 +466,13 @@ void test_strict_surface()
 void test_no_iterations()
 {
   const auto field = surface_field(CGAL::Anisotropic_mesh_2::Parametric_torus_3<K>(2, 0.7), [](const Point_3&) { return 0.3; });
-  auto mesh = CGAL::make_anisotropic_surface_mesh_3(field, CGAL::parameters::number_of_iterations(0));
+  auto mesh = CGAL::make_anisotropic_surface_mesh_3(field, np::number_of_iterations(0));
   const auto faces = mesh.faces();
-  CHECK(CGAL::optimize_anisotropic_surface_mesh_3(mesh, CGAL::parameters::number_of_iterations(0))
-        == CGAL::MAX_ITERATION_NUMBER_REACHED);
+  const auto none = CGAL::optimize_anisotropic_surface_mesh_3(mesh, np::number_of_iterations(0));
+  CHECK(none.return_code == CGAL::MAX_ITERATION_NUMBER_REACHED && none.iterations == 0 && none.largest_move > 0);
+  CHECK(mesh.faces() == faces);
+  CHECK(CGAL::optimize_anisotropic_surface_mesh_3(mesh, np::number_of_iterations(0).convergence(10.)).return_code
+        == CGAL::CONVERGENCE_REACHED);
   CHECK(mesh.faces() == faces);
 }
 

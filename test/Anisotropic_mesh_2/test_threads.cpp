@@ -6,7 +6,6 @@
 
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 
@@ -63,7 +62,7 @@ void test_optimizers(const Case& c)
     return CGAL::anisotropic_mesh_statistics_2<decltype(tag)>(mesh).energy;
   });
   test_same_bits(c.name + " by Lloyd's iteration", start, [](Mesh& mesh, auto tag) {
-    CGAL::lloyd_optimize_anisotropic_mesh_2<decltype(tag)>(mesh, CGAL::parameters::number_of_iterations(3));
+    CGAL::optimize_anisotropic_mesh_2<decltype(tag)>(mesh, lloyd_method.number_of_iterations(3));
     return CGAL::anisotropic_mesh_statistics_2<decltype(tag)>(mesh).energy;
   });
 }
@@ -72,8 +71,8 @@ void test_full_regions(const Case& c)
 {
   test_same_bits(c.name + " by full regions", CGAL::make_anisotropic_mesh_2(c.domain, c.field), [](Mesh& mesh, auto tag) {
     const auto evaluation = CGAL::Anisotropic_mesh_2::Region_evaluation::FULL_REGIONS;
-    CGAL::lloyd_optimize_anisotropic_mesh_2<decltype(tag)>
-      (mesh, np::region_evaluation(evaluation).number_of_iterations(2));
+    CGAL::optimize_anisotropic_mesh_2<decltype(tag)>
+      (mesh, lloyd_method.region_evaluation(evaluation).number_of_iterations(2));
     return CGAL::anisotropic_mesh_statistics_2<decltype(tag)>(mesh).energy;
   });
 }
@@ -195,7 +194,7 @@ void test_one_thread_by_default()
   const auto start = mesh;
   typedef decltype(mesh) Watched_mesh;
   CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(3));
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(1));
+  CGAL::optimize_anisotropic_mesh_2(mesh, lloyd_method.number_of_iterations(1));
   CGAL::anisotropic_mesh_statistics_2(mesh);
   CGAL::Anisotropic_Voronoi_diagram_2<Watched_mesh>{mesh};
   CHECK(!field.is_shared());

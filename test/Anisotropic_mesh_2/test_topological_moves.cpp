@@ -14,7 +14,7 @@
 #include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Quality_improver.h>
+#include <CGAL/improve_anisotropic_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 
 #include <algorithm>
@@ -28,7 +28,6 @@
 #include <vector>
 
 using CGAL::Anisotropic_mesh_2::Mesh_statistics;
-using CGAL::Anisotropic_mesh_2::internal::Quality_improver;
 using CGAL::Anisotropic_mesh_2::internal::Mesh_patch;
 using CGAL::Anisotropic_mesh_2::internal::Patch_flipper;
 using CGAL::Anisotropic_mesh_2::internal::Patch_writer;
@@ -229,7 +228,7 @@ void check_mended(Mesh& mesh, std::size_t vertices, const std::string& name)
 {
   const Mesh before = mesh;
   const double least = least_quality(before);
-  Quality_improver<Mesh>{mesh}();
+  CGAL::improve_anisotropic_mesh_2(mesh);
   check_untouched(name, before, mesh, 2);
   CHECK_MSG(least < 0.8 && least_quality(mesh) > 0.88,
             name + ": " + std::to_string(least) + ", " + std::to_string(least_quality(mesh)));
@@ -242,7 +241,7 @@ void test_planted_defects()
   const std::size_t n = regular.number_of_vertices();
   CHECK(n == 127 && least_quality(regular) > 1 - 1e-9);
   Mesh mesh = regular;
-  Quality_improver<Mesh>{mesh}();
+  CGAL::improve_anisotropic_mesh_2(mesh);
   CHECK(faces_of(mesh) == faces_of(regular)); // nothing is bad, nothing is touched
 
   mesh.remove(vertex_near(mesh, 0.25, 0.9));
@@ -337,7 +336,7 @@ void test_random_points()
     for(const Mesh::Vertex_handle v : inner)
       CHECK(mesh.move_if_no_collision(v, Point(random.real(0.01, 0.99), random.real(0.01, 0.99))) == v);
     const Mesh before = mesh;
-    Quality_improver<Mesh>{mesh}();
+    CGAL::improve_anisotropic_mesh_2(mesh);
     check_untouched("random points", before, mesh, 2);
     CHECK(faces_of(mesh) != faces_of(before) && least_quality(mesh) >= least_quality(before));
     CHECK(edges_outside_of_unit_band(mesh) < edges_outside_of_unit_band(before));
@@ -374,7 +373,7 @@ void test_failing_field()
     Mesh copy = mesh;
     state->left = n;
     try {
-      Quality_improver<Mesh>{copy}();
+      CGAL::improve_anisotropic_mesh_2(copy);
     }
     catch(const CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception&) {
       ++failures;
@@ -400,7 +399,7 @@ void test_random_metric()
   Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), Field(Failing_field{state, field}));
   const Mesh before = mesh;
   state->done = 0;
-  Quality_improver<Mesh>{mesh}();
+  CGAL::improve_anisotropic_mesh_2(mesh);
   CHECK_MSG(state->done < 20000 * long(before.number_of_faces()), std::to_string(state->done) + " evaluations for "
             + std::to_string(before.number_of_faces()) + " faces");
   check_untouched("random metric", before, mesh, 1);
@@ -422,7 +421,7 @@ void test_no_moves()
   Mesh a = mesh, b = mesh, d = mesh;
   CGAL::optimize_anisotropic_mesh_2(a, CGAL::parameters::number_of_iterations(0));
   CHECK(faces_of(a) == faces_of(mesh));
-  CHECK(CGAL::optimize_anisotropic_mesh_2(b, CGAL::parameters::visitor(Stop())) == CGAL::BOUND_REACHED);
+  CHECK(CGAL::optimize_anisotropic_mesh_2(b, CGAL::parameters::visitor(Stop())).return_code == CGAL::BOUND_REACHED);
   CGAL::optimize_anisotropic_mesh_2(d, np::quality_moves(false).number_of_iterations(3));
   CHECK(faces_of(b) == faces_of(d));
 

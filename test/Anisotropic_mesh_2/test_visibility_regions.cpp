@@ -8,7 +8,6 @@
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
 
@@ -21,6 +20,7 @@
 
 using namespace CGAL::Anisotropic_mesh_2::internal;
 using CGAL::Anisotropic_mesh_2::Measure;
+using CGAL::Anisotropic_mesh_2::Optimization_method;
 using CGAL::Anisotropic_mesh_2::Region_evaluation;
 using CGAL::Anisotropic_mesh_2::Visibility_sampling;
 namespace np = CGAL::Anisotropic_mesh_2::parameters;
@@ -499,16 +499,20 @@ void test_optimizers()
     const auto parameters = np::region_evaluation(Region_evaluation::VISIBILITY_REGIONS)
       .measure(measure).convergence(0.).number_of_iterations(8);
     Mesh lloyd = start, quick = start;
-    CHECK(CGAL::lloyd_optimize_anisotropic_mesh_2(lloyd, parameters) == CGAL::MAX_ITERATION_NUMBER_REACHED);
-    CHECK(CGAL::optimize_anisotropic_mesh_2(quick, parameters) == CGAL::MAX_ITERATION_NUMBER_REACHED);
+    for(auto mesh_and_method : {std::make_pair(&lloyd, Optimization_method::LLOYD),
+                                std::make_pair(&quick, Optimization_method::QUASI_NEWTON)}) {
+      const auto result = CGAL::optimize_anisotropic_mesh_2(*mesh_and_method.first,
+                                                            parameters.method(mesh_and_method.second));
+      CHECK(result.return_code == CGAL::MAX_ITERATION_NUMBER_REACHED && result.iterations == 8);
+    }
     for(const Mesh* mesh : {&lloyd, &quick}) {
       CHECK(mesh->is_valid(true) && mesh->number_of_vertices() == start.number_of_vertices());
       CHECK(value(Visibility_energy<Mesh>(*mesh, measure)) < value(Visibility_energy<Mesh>(start, measure)));
       CHECK(value(Facewise_energy<Mesh>(*mesh, measure)) < value(Facewise_energy<Mesh>(start, measure)));
     }
     Mesh by_faces = start;
-    CGAL::lloyd_optimize_anisotropic_mesh_2
-      (by_faces, np::region_evaluation(Region_evaluation::BY_FACES).measure(measure).convergence(0.)
+    CGAL::optimize_anisotropic_mesh_2
+      (by_faces, lloyd_method.region_evaluation(Region_evaluation::BY_FACES).measure(measure).convergence(0.)
                    .number_of_iterations(8));
     const double energy = value(Facewise_energy<Mesh>(by_faces, measure));
     CHECK(std::abs(value(Facewise_energy<Mesh>(lloyd, measure)) / energy - 1) < 0.01);

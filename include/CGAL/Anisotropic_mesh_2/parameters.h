@@ -18,6 +18,7 @@ struct energy_reduction_t {};
 struct keep_boundary_points_t {};
 struct maximum_number_of_vertices_t {};
 struct measure_t {};
+struct method_t {};
 struct point_placement_t {};
 struct quality_moves_t {};
 struct region_evaluation_t {};
@@ -42,6 +43,7 @@ public:
   template <class V> auto maximum_number_of_vertices(const V& value) const
   { return with<maximum_number_of_vertices_t>(value); }
   template <class V> auto measure(const V& value) const { return with<measure_t>(value); }
+  template <class V> auto method(const V& value) const { return with<method_t>(value); }
   template <class V> auto point_placement(const V& value) const { return with<point_placement_t>(value); }
   template <class V> auto quality_moves(const V& value) const { return with<quality_moves_t>(value); }
   template <class V> auto region_evaluation(const V& value) const { return with<region_evaluation_t>(value); }
@@ -51,7 +53,6 @@ public:
   { return with<internal_np::maximum_running_time_t>(value); }
   template <class V> auto number_of_iterations(const V& value) const
   { return with<internal_np::number_of_iterations_t>(value); }
-  template <class V> auto verbose(const V& value) const { return with<internal_np::verbose_t>(value); }
   template <class V> auto vertex_is_constrained_map(const V& value) const
   { return with<internal_np::vertex_is_constrained_t>(value); }
   template <class V> auto visitor(const V& value) const { return with<internal_np::visitor_t>(value); }
@@ -76,7 +77,7 @@ struct Parameter_name
 /// the named parameters of this package, with those of \cgal that it takes. Each is called with its value and begins a
 /// list, `p::measure(m)`, or continues one after a dot, `p::number_of_iterations(50).measure(m)`, in any order. A list
 /// that a name of `CGAL::parameters` has begun is given as second argument:
-/// `p::measure(m, CGAL::parameters::verbose(true))`. What they mean, and their defaults:
+/// `p::measure(m, CGAL::parameters::number_of_iterations(50))`. What they mean, and their defaults:
 /// \ref AnisotropicMesh2NamedParameters.
 namespace parameters {
 
@@ -90,6 +91,8 @@ inline constexpr internal::Parameter_name<internal::keep_boundary_points_t> keep
 inline constexpr internal::Parameter_name<internal::maximum_number_of_vertices_t> maximum_number_of_vertices{};
 /// the `CGAL::Anisotropic_mesh_2::Measure` of energies and mass centres.
 inline constexpr internal::Parameter_name<internal::measure_t> measure{};
+/// the `CGAL::Anisotropic_mesh_2::Optimization_method` of an optimizer.
+inline constexpr internal::Parameter_name<internal::method_t> method{};
 /// the `CGAL::Anisotropic_mesh_2::Point_placement` of unit meshing.
 inline constexpr internal::Parameter_name<internal::point_placement_t> point_placement{};
 /// whether faces of low quality are improved after an optimization, also by insertions and removals.
@@ -101,8 +104,6 @@ inline constexpr internal::Parameter_name<internal::region_evaluation_t> region_
 inline constexpr internal::Parameter_name<internal_np::maximum_running_time_t> maximum_running_time{};
 /// the name of \cgal: the largest number of iterations.
 inline constexpr internal::Parameter_name<internal_np::number_of_iterations_t> number_of_iterations{};
-/// the name of \cgal: whether progress is reported.
-inline constexpr internal::Parameter_name<internal_np::verbose_t> verbose{};
 /// the name of \cgal: which vertices stay where they are.
 inline constexpr internal::Parameter_name<internal_np::vertex_is_constrained_t> vertex_is_constrained_map{};
 /// the name of \cgal: the object that is told of iterations.

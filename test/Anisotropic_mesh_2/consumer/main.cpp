@@ -2,7 +2,7 @@
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
-#include <CGAL/lloyd_optimize_anisotropic_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
 #include <iostream>
@@ -10,6 +10,7 @@
 
 using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Tensor = CGAL::Metric_tensor_2<K>;
+namespace np = CGAL::Anisotropic_mesh_2::parameters;
 
 int main()
 {
@@ -20,7 +21,8 @@ int main()
   domain.add_polygon(square);
 
   auto mesh = CGAL::make_anisotropic_mesh_2(domain, field);
-  CGAL::lloyd_optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(20));
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD)
+                                          .number_of_iterations(20));
 
   std::cout << CGAL::anisotropic_mesh_statistics_2(mesh);
   CGAL::IO::write_SVG("mesh.svg", mesh);

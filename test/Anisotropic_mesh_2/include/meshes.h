@@ -11,6 +11,7 @@
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
+#include <CGAL/optimize_anisotropic_mesh_2.h>
 
 #include <cmath>
 #include <functional>
@@ -22,6 +23,9 @@ typedef K::Point_2                                                 Point;
 typedef CGAL::Metric_tensor_2<K>                                   Tensor;
 typedef std::function<Tensor(const Point&)>                        Field;
 typedef CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K, Field> > Mesh;
+
+inline const auto lloyd_method
+  = CGAL::Anisotropic_mesh_2::parameters::method(CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD);
 
 // A domain with a metric, of which the tests know the area.
 struct Case

@@ -87,6 +87,8 @@ public:
     }
   }
 
+  const Optimization_state& state() const { return m_state; }
+
 private:
   // Longest step, in the metric: beyond, the model of the energy is void.
   static constexpr double longest_step = 0.5;

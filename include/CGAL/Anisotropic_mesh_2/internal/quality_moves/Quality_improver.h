@@ -7,11 +7,14 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_QUALITY_IMPROVER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_QUALITY_IMPROVER_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Patch_optimizer.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Patch_writer.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
+
+#include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
 #include <array>
@@ -47,32 +50,50 @@ class Quality_improver
   };
 
 public:
-  explicit Quality_improver(Mesh& mesh)
-    : m_mesh(mesh), m_vertex(mesh.vertex_index_bound()), m_seen(m_vertex.size(), 0), m_changed(m_vertex.size(), 0),
-      m_trials_left(mesh.number_of_faces() / 16 + 512)
+  Quality_improver(Mesh& mesh, const Time_budget& time)
+    : m_mesh(mesh), m_time(time), m_vertex(mesh.vertex_index_bound()), m_seen(m_vertex.size(), 0), m_changed(m_vertex.size(), 0),
+      m_maximum_of_trials(mesh.number_of_faces() / 16 + 512)
   {
     for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
       m_vertex[v->index()] = v;
   }
 
-  void operator()()
+  Mesh_optimization_return_code operator()()
   {
-    bool goes_on = true;
-    for(int round = 1; goes_on && round <= maximum_of_rounds; ++round) {
-      goes_on = false;
-      for(const Bad_face& b : bad_faces())
-        if(is_worth_a_trial(b, round) && m_trials_left > 0) {
-          --m_trials_left;
-          goes_on = improve_around(face(b), round) || goes_on;
-        }
-    }
+    Mesh_optimization_return_code code = MAX_ITERATION_NUMBER_REACHED;
+    for(int round = 1; code == MAX_ITERATION_NUMBER_REACHED && round <= maximum_of_rounds; ++round)
+      code = improve_bad_faces(round);
     close_gaps();
+    return code;
   }
+
+  std::size_t number_of_trials() const { return m_trials; }
+  std::size_t number_of_improvements() const { return m_improvements; }
 
 private:
   static constexpr double target = 0.88;
   static constexpr int    maximum_of_rounds = 3;
   static constexpr int    rings = 2;
+
+  // returns `MAX_ITERATION_NUMBER_REACHED` if another round may be of use
+  Mesh_optimization_return_code improve_bad_faces(int round)
+  {
+    const std::vector<Bad_face> bad = bad_faces();
+    if(bad.empty())
+      return CONVERGENCE_REACHED;
+    const std::size_t before = m_improvements;
+    for(const Bad_face& b : bad) {
+      if(m_trials == m_maximum_of_trials)
+        return MAX_ITERATION_NUMBER_REACHED;
+      if(m_time.is_spent())
+        return TIME_LIMIT_REACHED;
+      if(is_worth_a_trial(b, round)) {
+        ++m_trials;
+        m_improvements += improve_around(face(b), round);
+      }
+    }
+    return m_improvements > before ? MAX_ITERATION_NUMBER_REACHED : CANT_IMPROVE_ANYMORE;
+  }
 
   double quality(Face_handle f) const
   {
@@ -184,11 +205,13 @@ private:
   }
 
   Mesh&                      m_mesh;
+  const Time_budget&         m_time;
   std::vector<Vertex_handle> m_vertex;  // by index
   std::vector<std::size_t>   m_seen;    // by index: when the vertex was last seen
   std::vector<int>           m_changed; // by index: the round in which the vertex was last moved
   std::size_t                m_stamp = 0;
-  std::size_t                m_trials_left;
+  const std::size_t          m_maximum_of_trials;
+  std::size_t                m_trials = 0, m_improvements = 0;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal
