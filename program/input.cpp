@@ -6,6 +6,7 @@
 
 #include "input.h"
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Anisotropic_mesh_2/IO/POLY.h>
@@ -40,7 +41,7 @@ Metric_field metric_of_files(const std::string& metric_file, const std::string& 
   try {
     return Discrete_metric_field(background, tensors);
   }
-  catch(const std::invalid_argument& e) {
+  catch(const CGAL::Anisotropic_mesh_2::Invalid_triangle_mesh_exception& e) {
     throw Unusable_input("--metric " + metric_file + ", --background " + background_file + ": " + e.what());
   }
 }

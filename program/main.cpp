@@ -12,9 +12,7 @@
 #include "output.h"
 #include "surface_job.h"
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
-#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/assertions_behaviour.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

@@ -19,8 +19,7 @@ from pathlib import Path
 LAYERS = {
     "base": """Anisotropic_mesh_2/parameters Anisotropic_mesh_2/Measure
         Anisotropic_mesh_2/Domain_rule Anisotropic_mesh_2/Planar_straight_line_graph_2
-        Anisotropic_mesh_2/Invalid_domain_exception Anisotropic_mesh_2/Invalid_metric_tensor_exception
-        Anisotropic_mesh_2/Too_many_vertices_exception""",
+        Anisotropic_mesh_2/exceptions""",
     "metric": """Metric_tensor_2 Metric_tensor_3 Riemannian_metric_traits_2 Constant_metric_field_2
         Isotropic_metric_field_2 Oriented_sizes_metric_field_2 Gradient_metric_field_2
         Hessian_metric_field_2 Discrete_metric_field_2""",
@@ -40,7 +39,7 @@ LAYERS = {
     "statistics": """Anisotropic_mesh_2/Mesh_statistics Anisotropic_mesh_2/Approximation_error
         anisotropic_mesh_statistics_2 piecewise_constant_approximation_error_2
         piecewise_linear_approximation_error_2""",
-    "surface": """Anisotropic_mesh_2/Parameter_rectangle Anisotropic_mesh_2/Degenerate_parametrization_exception
+    "surface": """Anisotropic_mesh_2/Parameter_rectangle
         Anisotropic_mesh_2/Callable_surface_3 Anisotropic_mesh_2/Parametric_ellipsoid_3
         Anisotropic_mesh_2/Parametric_torus_3 Anisotropic_mesh_2/Quadratic_graph_surface_3
         Anisotropic_mesh_2/Curvature_metric_3 Anisotropic_mesh_2/principal_curvatures_3

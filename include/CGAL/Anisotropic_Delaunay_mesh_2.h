@@ -12,6 +12,7 @@
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
 #include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/graph_of_triangulation.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 
@@ -106,10 +107,12 @@ public:
 
   /// inserts the vertices and edges of a boundary mesh, by `spatial_sort()` of its points, and marks the domain.
   /// The references of its regions are kept for later calls of `mark_domain()`.
-  /// \throw CGAL::Constrained_triangulation_2::Intersection_of_constraints_exception
-  /// if edges cross.
+  ///
+  /// After a throw the mesh holds a part of the boundary without a domain, to be cleared or assigned to.
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if edges cross.
   /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point.
   void insert_boundary(const Boundary_graph& boundary)
+  try
   {
     m_regions = boundary.regions;
     const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
@@ -117,6 +120,10 @@ public:
       insert_boundary_segment(vertices[s.source], vertices[s.target],
                               Edge_mark{s.reference, s.is_boundary});
     mark_domain();
+  }
+  catch(const typename Triangulation_kernel::Intersection_of_constraints_exception&) {
+    throw Anisotropic_mesh_2::Invalid_domain_exception
+      ("the boundary curves or the constraints of the domain cross each other");
   }
 
   /// inserts the vertices and the constrained edges of a triangulation of \cgal, and marks the domain as it is there.

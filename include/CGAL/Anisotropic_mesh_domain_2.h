@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_DOMAIN_2_H
 
 #include <CGAL/Anisotropic_mesh_2/Curve_piece_2.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_piece_2.h>

@@ -7,6 +7,7 @@
 #ifndef CGAL_DISCRETE_METRIC_FIELD_2_H
 #define CGAL_DISCRETE_METRIC_FIELD_2_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Triangle_locator_2.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Metric_tensor_2.h>
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -46,7 +46,7 @@ public:
 
   /// interpolates `tensors[i]`, given at `background.points[i]`, over `background.triangles`,
   /// which may be oriented either way and should not overlap.
-  /// \throw std::invalid_argument if there is no triangle, if a triangle is
+  /// \throw Anisotropic_mesh_2::Invalid_triangle_mesh_exception if there is no triangle, if a triangle is
   /// degenerate or names a vertex that does not exist, or if there are not as
   /// many tensors as points.
   Discrete_metric_field_2(const Background& background, const std::vector<Metric_tensor>& tensors)
@@ -83,7 +83,8 @@ private:
   static const Background& checked(const Background& background, const std::vector<Metric_tensor>& tensors)
   {
     if(tensors.size() != background.points.size())
-      throw std::invalid_argument("the background has " + std::to_string(background.points.size()) +
+      throw Anisotropic_mesh_2::Invalid_triangle_mesh_exception
+        ("the background has " + std::to_string(background.points.size()) +
                                   " vertices, but " + std::to_string(tensors.size()) +
                                   " metric tensors are given");
     return background;

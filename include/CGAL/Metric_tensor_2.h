@@ -7,7 +7,7 @@
 #ifndef CGAL_METRIC_TENSOR_2_H
 #define CGAL_METRIC_TENSOR_2_H
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/difference_of_products.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/refuse_metric_tensor.h>
 

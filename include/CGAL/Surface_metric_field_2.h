@@ -7,7 +7,7 @@
 #ifndef CGAL_SURFACE_METRIC_FIELD_2_H
 #define CGAL_SURFACE_METRIC_FIELD_2_H
 
-#include <CGAL/Anisotropic_mesh_2/Degenerate_parametrization_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/Metric_tensor_3.h>
 #include <CGAL/number_utils.h>

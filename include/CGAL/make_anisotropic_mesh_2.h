@@ -9,7 +9,7 @@
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Boundary_unit_mesher.h>
@@ -18,23 +18,6 @@
 #include <cstddef>
 
 namespace CGAL {
-namespace Anisotropic_mesh_2::internal {
-
-template <class Mesh>
-void insert_boundary(Mesh& mesh, const typename Mesh::Boundary_graph& boundary)
-{
-  try {
-    mesh.insert_boundary(boundary);
-  }
-  catch(const typename Mesh::Intersection_of_constraints_exception&) {
-    throw Anisotropic_mesh_2::Invalid_domain_exception("the boundary curves or the constraints of the domain cross each other");
-  }
-  if(mesh.number_of_faces_in_domain() == 0)
-    throw Anisotropic_mesh_2::Invalid_domain_exception("the boundary of the domain encloses no area");
-}
-
-} // namespace Anisotropic_mesh_2::internal
-
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// generates a unit mesh of a given type, which may have vertex and face bases or traits of the user:
@@ -66,8 +49,10 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
   const bool keep_points = choose_parameter(get_parameter(np, internal::keep_boundary_points_t()), false);
 
   Mesh mesh(traits);
-  internal::insert_boundary(mesh, internal::unit_boundary_graph(domain, traits.construct_metric_tensor_2_object(), limit,
-                                                               keep_points));
+  mesh.insert_boundary(internal::unit_boundary_graph(domain, traits.construct_metric_tensor_2_object(), limit,
+                                                     keep_points));
+  if(mesh.number_of_faces_in_domain() == 0)
+    throw Anisotropic_mesh_2::Invalid_domain_exception("the boundary of the domain encloses no area");
   refine_anisotropic_mesh_2(mesh, np);
   return mesh;
 }

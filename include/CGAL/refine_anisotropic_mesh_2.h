@@ -12,7 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
-#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <cstddef>
 #include <vector>

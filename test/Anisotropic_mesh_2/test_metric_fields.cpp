@@ -8,6 +8,7 @@
 
 #include "include/check.h"
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Oriented_sizes_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
@@ -29,6 +30,7 @@
 #include <utility>
 #include <vector>
 
+using CGAL::Anisotropic_mesh_2::Invalid_triangle_mesh_exception;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel             Kernel;
 typedef Kernel::Point_2                                                 Point;
 typedef CGAL::Metric_tensor_2<Kernel>                                   Tensor;
@@ -281,16 +283,17 @@ void test_refusals()
   Background g;
   g.points = {Point(0, 0), Point(1, 0), Point(0, 1), Point(2, 0)};
   const std::vector<Tensor> four(4);
-  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "the background mesh has no triangles");
-  CHECK_THROWS(Discrete(Background(), {}), std::invalid_argument, "no triangles");
+  CHECK_THROWS(Discrete(g, four), Invalid_triangle_mesh_exception, "the background mesh has no triangles");
+  CHECK_THROWS(Discrete(Background(), {}), Invalid_triangle_mesh_exception, "no triangles");
   g.triangles = {{0, 1, 2}, {0, 1, 3}};
-  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "triangle 2 of the background mesh has no area");
+  CHECK_THROWS(Discrete(g, four), Invalid_triangle_mesh_exception, "triangle 2 of the background mesh has no area");
   g.triangles = {{0, 1, 1}};
-  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "triangle 1 of the background mesh has no area");
+  CHECK_THROWS(Discrete(g, four), Invalid_triangle_mesh_exception, "triangle 1 of the background mesh has no area");
   g.triangles = {{0, 1, 4}};
-  CHECK_THROWS(Discrete(g, four), std::invalid_argument, "triangle 1 of the background mesh names a vertex that does not exist");
+  CHECK_THROWS(Discrete(g, four), Invalid_triangle_mesh_exception,
+               "triangle 1 of the background mesh names a vertex that does not exist");
   g.triangles = {{0, 1, 2}};
-  CHECK_THROWS(Discrete(g, std::vector<Tensor>(3)), std::invalid_argument,
+  CHECK_THROWS(Discrete(g, std::vector<Tensor>(3)), Invalid_triangle_mesh_exception,
                "the background has 4 vertices, but 3 metric tensors are given");
   CHECK(Discrete(g, four)(Point(0, 0)) == Tensor());
 }

@@ -11,7 +11,7 @@
 #include "meshes.h"
 #include "Random_numbers.h"
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/improve_anisotropic_mesh_2.h>

@@ -1,6 +1,7 @@
 // Triangulated surfaces: curvature and derivatives against closed forms, meshes that
 // stay on the triangles and on the border, metrics given at vertices, refusals.
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -32,6 +33,7 @@
 #include <string>
 #include <vector>
 
+using CGAL::Anisotropic_mesh_2::Invalid_triangle_mesh_exception;
 using K       = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_2 = K::Point_2;
 using Point_3 = K::Point_3;
@@ -208,7 +210,7 @@ void refuse(const Graph& graph, const std::string& words)
     Surface s(graph);
     CHECK_MSG(false, "not refused: " + words);
   }
-  catch(const std::invalid_argument& e) {
+  catch(const Invalid_triangle_mesh_exception& e) {
     CHECK_MSG(std::string(e.what()).find(words) != std::string::npos, e.what());
   }
 }
@@ -243,7 +245,7 @@ void test_refusals()
     }
   refuse(holed, "2 borders");
   const Surface s(graph(3, {{0, 1, 2}}));
-  CHECK_THROWS(CGAL::Anisotropic_mesh_2::Vertex_metric_3<K>(s, {}), std::invalid_argument, "0 metric tensors");
+  CHECK_THROWS(CGAL::Anisotropic_mesh_2::Vertex_metric_3<K>(s, {}), Invalid_triangle_mesh_exception, "0 metric tensors");
 }
 
 int main()

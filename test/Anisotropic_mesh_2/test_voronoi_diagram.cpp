@@ -2,7 +2,7 @@
 
 #include "voronoi_diagrams.h"
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 
 #include <cmath>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_CURVE_PIECE_2_H
 #define CGAL_ANISOTROPIC_MESH_2_CURVE_PIECE_2_H
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 
 #include <CGAL/number_utils.h>

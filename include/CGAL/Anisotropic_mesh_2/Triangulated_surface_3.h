@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_TRIANGULATED_SURFACE_3_H
 #define CGAL_ANISOTROPIC_MESH_2_TRIANGULATED_SURFACE_3_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/triangulated/Border_curves.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/triangulated/Parametrized_disc.h>
@@ -60,7 +61,7 @@ public:
   /// the surface of the faces of `mesh`, whose vertices are numbered in the order of `vertices(mesh)`.
   /// \tparam TriangleMesh a model of `FaceListGraph`, such as `Surface_mesh<K::Point_3>`, with
   /// an internal property map of points.
-  /// \throw std::invalid_argument if `mesh` is not a topological disc of triangles, a vertex is not finite, a
+  /// \throw Invalid_triangle_mesh_exception if `mesh` is not a topological disc of triangles, a vertex is not finite, a
   /// triangle has no area, or the mesh cannot be mapped to the plane without folds.
   template <class TriangleMesh>
   explicit Triangulated_surface_3(const TriangleMesh& mesh) : m_disc(std::make_shared<const Disc>(mesh)) {}

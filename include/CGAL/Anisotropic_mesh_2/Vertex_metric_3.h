@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_VERTEX_METRIC_3_H
 #define CGAL_ANISOTROPIC_MESH_2_VERTEX_METRIC_3_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Metric_tensor_3.h>
 #include <CGAL/Anisotropic_mesh_2/Triangulated_surface_3.h>
 #include <CGAL/assertions.h>
@@ -18,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -46,11 +46,11 @@ public:
   typedef Metric_tensor_3<K>           Metric_tensor; ///< a tensor of the space
 
   /// the metric with the given tensors, in the order of the vertices of `surface`.
-  /// \throw std::invalid_argument if the numbers of tensors and vertices differ.
+  /// \throw Invalid_triangle_mesh_exception if the numbers of tensors and vertices differ.
   Vertex_metric_3(const Surface& surface, const std::vector<Metric_tensor>& tensors)
   {
     if(tensors.size() != surface.number_of_vertices())
-      throw std::invalid_argument("the surface has " + std::to_string(surface.number_of_vertices())
+      throw Invalid_triangle_mesh_exception("the surface has " + std::to_string(surface.number_of_vertices())
                                   + " vertices, but " + std::to_string(tensors.size()) + " metric tensors are given");
     auto logarithms = std::make_shared<std::vector<Matrix> >();
     for(const Metric_tensor& m : tensors)

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_PRINCIPAL_CURVATURES_3_H
 #define CGAL_ANISOTROPIC_MESH_2_PRINCIPAL_CURVATURES_3_H
 
-#include <CGAL/Anisotropic_mesh_2/Degenerate_parametrization_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/number_utils.h>
 
 #include <array>

@@ -17,7 +17,7 @@
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Constant_metric_field_2.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Metric_tensor_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 

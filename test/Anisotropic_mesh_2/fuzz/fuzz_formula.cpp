@@ -8,7 +8,7 @@
 
 #include "require.h"
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <Formula_metric_field.h>
 
 #include <sstream>

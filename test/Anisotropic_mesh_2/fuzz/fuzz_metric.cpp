@@ -8,6 +8,7 @@
 
 #include "reader.h"
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Discrete_metric_field_2.h>
 
@@ -78,7 +79,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
     try {
       evaluate(*background, *tensors);
     }
-    catch(const std::invalid_argument& e) {
+    catch(const CGAL::Anisotropic_mesh_2::Invalid_triangle_mesh_exception& e) {
       require_readable(e.what());
     }
   return 0;

@@ -7,8 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_IO_MESH_IO_EXCEPTION_H
 #define CGAL_ANISOTROPIC_MESH_2_IO_MESH_IO_EXCEPTION_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
+
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 namespace CGAL {
@@ -20,17 +21,17 @@ namespace CGAL {
 /// The message has the form `FILE:LINE: what is wrong`, without `LINE:` where
 /// no line is concerned.
 class Mesh_io_exception
-  : public std::runtime_error
+  : public Anisotropic_mesh_2::Anisotropic_mesh_exception
 {
 public:
   /// the file as a whole is at fault.
   Mesh_io_exception(const std::string& file, const std::string& what)
-    : std::runtime_error(file + ": " + what), m_file(file)
+    : Anisotropic_mesh_exception(file + ": " + what), m_file(file)
   {}
 
   /// the line (counted from 1) of the file is at fault.
   Mesh_io_exception(const std::string& file, std::size_t line, const std::string& what)
-    : std::runtime_error(file + ':' + std::to_string(line) + ": " + what), m_file(file), m_line(line)
+    : Anisotropic_mesh_exception(file + ':' + std::to_string(line) + ": " + what), m_file(file), m_line(line)
   {}
 
   /// the name of the file.

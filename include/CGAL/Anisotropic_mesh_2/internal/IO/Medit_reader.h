@@ -10,7 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/IO/Text_scanner.h>
 #include <CGAL/Anisotropic_mesh_2/Planar_straight_line_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Metric_tensor_2.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_CHORD_SEPARATOR_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_CHORD_SEPARATOR_H
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_conflicts_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_DOMAIN_PREPARATION_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_DOMAIN_PREPARATION_H
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_sides_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_piece_2.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_PIECE_SPLITTER_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_PIECE_SPLITTER_2_H
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_piece_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>

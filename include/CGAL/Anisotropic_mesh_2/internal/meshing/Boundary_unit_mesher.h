@@ -8,13 +8,12 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESHING_BOUNDARY_UNIT_MESHER_H
 
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/curve_turning.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_preparation.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Riemannian_length_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_separator.h>
 
 #include <algorithm>

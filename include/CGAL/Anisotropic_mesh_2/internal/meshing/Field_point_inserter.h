@@ -11,7 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Edge_subdivision.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/unit_apex.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
-#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_TRIANGLE_LOCATOR_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_TRIANGLE_LOCATOR_2_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,7 +47,7 @@ public:
     : m_points(points), m_triangles(triangles), m_scale(scale_of(points))
   {
     if(triangles.empty())
-      throw std::invalid_argument("the background mesh has no triangles");
+      throw Invalid_triangle_mesh_exception("the background mesh has no triangles");
     for(std::size_t i = 0; i < triangles.size(); ++i)
       orient(i);
     build(0, m_triangles.size());
@@ -140,11 +140,11 @@ private:
     Triangle& t = m_triangles[i];
     for(std::size_t v : t)
       if(v >= m_points.size())
-        throw std::invalid_argument("triangle " + std::to_string(i + 1) +
+        throw Invalid_triangle_mesh_exception("triangle " + std::to_string(i + 1) +
                                     " of the background mesh names a vertex that does not exist");
     const Orientation orientation = K().orientation_2_object()(m_points[t[0]], m_points[t[1]], m_points[t[2]]);
     if(orientation == COLLINEAR)
-      throw std::invalid_argument("triangle " + std::to_string(i + 1) +
+      throw Invalid_triangle_mesh_exception("triangle " + std::to_string(i + 1) +
                                   " of the background mesh has no area");
     if(orientation == CLOCKWISE)
       std::swap(t[1], t[2]);

@@ -10,7 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/Adaptive_triangle_integral.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
-#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_METRIC_AT_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_METRIC_AT_H
 
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

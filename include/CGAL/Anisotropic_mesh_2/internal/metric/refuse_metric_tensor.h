@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_REFUSE_METRIC_TENSOR_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_metric_tensor_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <CGAL/number_utils.h>
 

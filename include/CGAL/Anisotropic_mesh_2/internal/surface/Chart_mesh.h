@@ -207,7 +207,7 @@ private:
     try {
       m_mesh.insert_boundary(boundary);
     }
-    catch(const typename Mesh::Intersection_of_constraints_exception&) {
+    catch(const Invalid_domain_exception&) {
       return false;
     }
     return true;

@@ -19,9 +19,8 @@
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 #include <CGAL/Anisotropic_mesh_2/Curve_piece_2.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/Anisotropic_mesh_2/Too_many_vertices_exception.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
-#include <CGAL/Anisotropic_mesh_2/Invalid_domain_exception.h>
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <type_traits>
 #include <utility>

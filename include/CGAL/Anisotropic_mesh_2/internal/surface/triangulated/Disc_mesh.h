@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_TRIANGULATED_DISC_MESH_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_TRIANGULATED_DISC_MESH_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -18,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,7 +35,7 @@ public:
   typedef Graph::Halfedge_index                   Halfedge;
   typedef std::array<std::size_t, 3>              Triangle;
 
-  // Throws std::invalid_argument if the triangles do not form a disc, or one has no area.
+  // Throws Invalid_triangle_mesh_exception if the triangles do not form a disc, or one has no area.
   template <class Point_3>
   Disc_mesh(const std::vector<Point_3>& points, const std::vector<Triangle>& triangles)
   {
@@ -65,7 +65,8 @@ public:
   }
 
 private:
-  [[noreturn]] static void refuse(const std::string& what) { throw std::invalid_argument("the surface " + what); }
+  [[noreturn]] static void refuse(const std::string& what)
+  { throw Invalid_triangle_mesh_exception("the surface " + what); }
 
   static std::string describe(const Triangle& t)
   {

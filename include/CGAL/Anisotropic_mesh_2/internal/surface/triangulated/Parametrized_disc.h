@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_TRIANGULATED_PARAMETRIZED_DISC_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_TRIANGULATED_PARAMETRIZED_DISC_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/triangulated/Disc_mesh.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/triangulated/Shape_operator_estimator.h>
@@ -25,7 +26,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -47,7 +47,7 @@ struct Parametrized_disc
   std::optional<Triangle_locator_2<K> >    locator;
   Parameter_rectangle                      rectangle;
 
-  // Throws std::invalid_argument if the faces of the mesh are not a disc of triangles.
+  // Throws Invalid_triangle_mesh_exception if the faces of the mesh are not a disc of triangles.
   template <class TriangleMesh>
   explicit Parametrized_disc(const TriangleMesh& mesh)
   {
@@ -83,7 +83,7 @@ private:
     for(auto f : faces(mesh)) {
       const auto h = halfedge(f, mesh);
       if(next(next(next(h, mesh), mesh), mesh) != h)
-        throw std::invalid_argument("the surface has a face that is not a triangle: number "
+        throw Invalid_triangle_mesh_exception("the surface has a face that is not a triangle: number "
                                     + std::to_string(triangles.size()));
       triangles.push_back({numbers.at(source(h, mesh)), numbers.at(target(h, mesh)),
                            numbers.at(target(next(h, mesh), mesh))});

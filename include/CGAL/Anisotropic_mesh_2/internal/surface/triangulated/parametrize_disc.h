@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_TRIANGULATED_PARAMETRIZE_DISC_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_TRIANGULATED_PARAMETRIZE_DISC_H
 
+#include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/triangulated/Disc_mesh.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/triangulated/Factorize_once_solver.h>
 
@@ -19,7 +20,6 @@
 
 #include <array>
 #include <cstddef>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -59,7 +59,7 @@ bool parametrize_disc_by(Parameterizer method, Disc_mesh& disc, std::vector<type
 
 // Places for the vertices of the disc in the plane, such that no triangles overlap and none is
 // distorted much: as rigid as possible with a free border, or by mean value coordinates in
-// a circle where that folds over. Throws std::invalid_argument if both do.
+// a circle where that folds over. Throws Invalid_triangle_mesh_exception if both do.
 template <class K>
 std::vector<typename K::Point_2> parametrize_disc(Disc_mesh& disc)
 {
@@ -68,7 +68,7 @@ std::vector<typename K::Point_2> parametrize_disc(Disc_mesh& disc)
   std::vector<typename K::Point_2> places;
   if(!parametrize_disc_by<K>(ARAP_parameterizer_3<Graph, Default, Factorize_once_solver>(), disc, places)
      && !parametrize_disc_by<K>(Mean_value_coordinates_parameterizer_3<Graph>(), disc, places))
-    throw std::invalid_argument("the surface cannot be mapped to the plane without folds");
+    throw Invalid_triangle_mesh_exception("the surface cannot be mapped to the plane without folds");
   return places;
 }
 
