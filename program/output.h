@@ -10,7 +10,7 @@
 #include "Options.h"
 #include "mesh_job.h"
 
-#include <CGAL/Anisotropic_mesh_2/Surface_mesh_statistics.h>
+#include <CGAL/anisotropic_surface_mesh_statistics_3.h>
 
 #include <string>
 

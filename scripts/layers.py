@@ -25,7 +25,7 @@ LAYERS = {
         Hessian_metric_field_2 Discrete_metric_field_2""",
     "domain": "Anisotropic_mesh_2/Curve_piece_2 Anisotropic_mesh_2/Boundary_graph_2 Anisotropic_mesh_domain_2",
     "kernel": """Anisotropic_mesh_vertex_base_2 Constrained_anisotropic_Delaunay_triangulation_2
-        Anisotropic_mesh_2/Delaunay_consistency anisotropic_Delaunay_consistency_2""",
+        anisotropic_Delaunay_consistency_2""",
     "mesh": "Anisotropic_mesh_face_base_2 Anisotropic_Delaunay_mesh_2",
     "meshing": "Anisotropic_mesh_2/Point_placement make_anisotropic_mesh_2 refine_anisotropic_mesh_2",
     "tessellation": """Anisotropic_mesh_2/Directional_distance_2 Anisotropic_mesh_2/Labelle_Shewchuk_distance_2
@@ -36,14 +36,12 @@ LAYERS = {
     "energy": "anisotropic_mass_centre_2",
     "optimization": "Anisotropic_mesh_2/Optimization_state",
     "quality_moves": "improve_anisotropic_mesh_2 optimize_anisotropic_mesh_2",
-    "statistics": """Anisotropic_mesh_2/Mesh_statistics Anisotropic_mesh_2/Approximation_error
-        anisotropic_mesh_statistics_2 piecewise_constant_approximation_error_2
-        piecewise_linear_approximation_error_2""",
+    "statistics": "anisotropic_mesh_statistics_2 approximation_error_2",
     "surface": """Anisotropic_mesh_2/Parameter_rectangle
         Anisotropic_mesh_2/Callable_surface_3 Anisotropic_mesh_2/Parametric_ellipsoid_3
         Anisotropic_mesh_2/Parametric_torus_3 Anisotropic_mesh_2/Quadratic_graph_surface_3
         Anisotropic_mesh_2/Curvature_metric_3 Anisotropic_mesh_2/principal_curvatures_3
-        Anisotropic_mesh_2/Surface_mesh_statistics Anisotropic_mesh_2/Surface_voronoi_region_3
+        Anisotropic_mesh_2/Surface_voronoi_region_3
         Surface_metric_field_2 Anisotropic_surface_mesh_3 make_anisotropic_surface_mesh_3
         optimize_anisotropic_surface_mesh_3 anisotropic_surface_mesh_statistics_3
         anisotropic_surface_Voronoi_regions_3""",

@@ -11,8 +11,7 @@
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
-#include <CGAL/piecewise_constant_approximation_error_2.h>
-#include <CGAL/piecewise_linear_approximation_error_2.h>
+#include <CGAL/approximation_error_2.h>
 
 #include <array>
 #include <cmath>

@@ -80,16 +80,7 @@ public:
   typedef typename Triangulation_kernel::Locate_type     Locate_type;     ///< where a point has been found
   typedef typename Triangulation_kernel::Cavity          Cavity;          ///< what an insertion replaces
 
-  /// a straight graph that bounds a domain, whose edges meet in common points only. Its members are the vectors
-  /// `points` of `Point`s, pairwise different, `segments`, and `regions` of
-  /// `Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel>::Region`s. A segment has the indices `source` and
-  /// `target` of its points, the integer `reference`, and the flag `is_boundary`: whether crossing it toggles
-  /// between outside and inside.
-#ifdef DOXYGEN_RUNNING
-  typedef unspecified_type Boundary_graph;
-#else
-  typedef Anisotropic_mesh_2::internal::Boundary_graph_2<Kernel> Boundary_graph;
-#endif
+  typedef Anisotropic_mesh_2::Boundary_graph_2<Kernel> Boundary_graph; ///< what `insert_boundary()` takes
   /// @}
 
   /// \cond SKIP_IN_MANUAL

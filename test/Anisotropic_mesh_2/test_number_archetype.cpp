@@ -31,7 +31,7 @@
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
-#include <CGAL/piecewise_linear_approximation_error_2.h>
+#include <CGAL/approximation_error_2.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -12,29 +12,34 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Anisotropic_mesh_2::internal {
+namespace CGAL::Anisotropic_mesh_2 {
 
-// The straight graph that the mesher gets: points are pairwise different,
-// segments meet at common points only.
+/// \ingroup PkgAnisotropicMesh2Classes
+///
+/// a straight graph that bounds a domain, as `Anisotropic_Delaunay_mesh_2::insert_boundary()` takes it: points are
+/// pairwise different, segments meet at common points only.
+///
+/// \tparam K the kernel of the points.
 template <class K>
 struct Boundary_graph_2
 {
-  typedef typename K::Point_2                                 Point_2;
-  typedef typename Planar_straight_line_graph_2<K>::Region    Region;
+  typedef typename K::Point_2                              Point_2; ///< a point
+  typedef typename Planar_straight_line_graph_2<K>::Region Region;  ///< a point in a region, with its reference
 
+  /// an edge of the graph.
   struct Segment
   {
-    std::size_t source;
-    std::size_t target;
-    int         reference;
-    bool        is_boundary; // crossing it toggles inside and outside
+    std::size_t source;    ///< the index of one end in `points`
+    std::size_t target;    ///< the index of the other end
+    int         reference; ///< of the constrained edge
+    bool is_boundary;      ///< whether crossing it toggles between inside and outside
   };
 
-  std::vector<Point_2> points;
-  std::vector<Segment> segments;
-  std::vector<Region>  regions;
+  std::vector<Point_2> points;   ///< the vertices
+  std::vector<Segment> segments; ///< the edges
+  std::vector<Region>  regions;  ///< the references of subdomains
 };
 
-} // namespace CGAL::Anisotropic_mesh_2::internal
+} // namespace CGAL::Anisotropic_mesh_2
 
 #endif // CGAL_ANISOTROPIC_MESH_2_BOUNDARY_GRAPH_2_H

@@ -79,7 +79,7 @@ public:
 ///
 /// thrown when a parametric surface has no finite point or no tangent plane somewhere.
 ///
-/// The message tells what is wrong and names the parameters u and v.
+/// The message says what is wrong and names the parameters u and v.
 class Degenerate_parametrization_exception
   : public Invalid_metric_tensor_exception
 {
@@ -95,7 +95,7 @@ public:
 /// thrown when a metric asks for more vertices than a given limit; if it asks for many more, before the
 /// memory for them is taken.
 ///
-/// The message tells how many vertices the metric asks for, and the limit.
+/// The message names the number of vertices that the metric asks for, and the limit.
 class Too_many_vertices_exception
   : public Anisotropic_mesh_exception
 {

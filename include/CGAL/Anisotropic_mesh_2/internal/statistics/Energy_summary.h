@@ -8,7 +8,6 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_ENERGY_SUMMARY_H
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
-#include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
@@ -51,7 +50,8 @@ public:
   }
 
   // Faces that were not added, because their regions are unknown, do not count in the ratio.
-  void write_to(Mesh_statistics& statistics) const
+  template <class Statistics>
+  void write_to(Statistics& statistics) const
   {
     if(m_faces == 0)
       return;

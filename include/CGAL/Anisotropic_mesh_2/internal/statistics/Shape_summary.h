@@ -7,7 +7,6 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_SHAPE_SUMMARY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_SHAPE_SUMMARY_H
 
-#include <CGAL/Anisotropic_mesh_2/Mesh_statistics.h>
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/Summary.h>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -26,7 +25,8 @@ struct Shape_summary
     return *this;
   }
 
-  void write_to(Mesh_statistics& statistics) const
+  template <class Statistics>
+  void write_to(Statistics& statistics) const
   {
     statistics.edge_length_mean = edges.lengths.mean();
     statistics.edge_length_min = edges.lengths.least;
