@@ -58,7 +58,7 @@ namespace CGAL {
 /// \f$ O(n \log n) \f$ time with a few evaluations of the field per face.
 ///
 /// \tparam Mesh_ an instance of `Anisotropic_Delaunay_mesh_2`.
-/// \tparam Distance_ a model of `VoronoiDistance_2`.
+/// \tparam Distance_ a model of `GeneratorMetric_2`.
 /// \tparam ConcurrencyTag_ enables sequential or parallel construction: `Sequential_tag`, `Parallel_tag` or
 /// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field, but not the distance, from
 /// several threads at the same time. The diagram is the same to the bit; with every tag several

@@ -101,29 +101,6 @@ public:
     const Metric_field* m_field;
   };
 
-  /// the squared directional distance from `z` to `x`, measured by the tensor
-  /// at `x` (definition 2.1 of \cgalCite{dw-acvt-05}); it is not symmetric.
-  class Compute_squared_directional_distance_2
-  {
-  public:
-    typedef FT result_type; ///< a squared length
-
-    /// the functor that takes tensors from `tensor`.
-    explicit Compute_squared_directional_distance_2(const Construct_metric_tensor_2& tensor) : m_tensor(tensor) {}
-
-    /// returns the squared distance.
-    FT operator()(const Point_2& x, const Point_2& z) const { return (*this)(x, z, m_tensor(x)); }
-
-    /// the same where the tensor at `x` is known.
-    FT operator()(const Point_2& x, const Point_2& z, const Metric_tensor_2& mx) const
-    {
-      return mx.squared_length(z.x() - x.x(), z.y() - x.y());
-    }
-
-  private:
-    Construct_metric_tensor_2 m_tensor;
-  };
-
   /// the Riemannian length of the segment from `p` to `q`, by adaptive
   /// quadrature with a relative error of about 10<sup>-6</sup> where the field is smooth
   /// (section 2.2 of \cgalCite{dw-acvt-05}).
@@ -151,9 +128,8 @@ public:
   /// \name Creation
   /// @{
 
-  /// traits without a field, only usable as the target of an assignment.
+  /// traits without a field, which are only usable as the target of an assignment.
   Riemannian_metric_traits_2() {}
-
 
   /// traits that hold a copy of `field`, which their copies share.
   explicit Riemannian_metric_traits_2(const Metric_field& field, const K& kernel = K())
@@ -179,10 +155,6 @@ public:
   /// returns the cavity criterion.
   Side_of_metric_circle_2 side_of_metric_circle_2_object() const
   { return Side_of_metric_circle_2(); }
-
-  /// returns the functor of directional distances.
-  Compute_squared_directional_distance_2 compute_squared_directional_distance_2_object() const
-  { return Compute_squared_directional_distance_2(construct_metric_tensor_2_object()); }
 
   /// returns the functor of lengths.
   Compute_riemannian_length_2 compute_riemannian_length_2_object() const

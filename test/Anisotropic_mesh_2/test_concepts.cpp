@@ -166,24 +166,11 @@ void test_crossing_constraints()
   CHECK(v->metric_tensor() == Field::make()(Point(2, 2)));
 }
 
-// what the traits of the package have in addition
-void test_directional_distance()
-{
-  const Traits traits(Field::make());
-  const auto squared_distance = traits.compute_squared_directional_distance_2_object();
-  const Point x(1, 2), z(3, 1);
-  const Tensor mx = Field::make()(x);
-  CHECK(squared_distance(x, z) == mx.squared_length(z - x));
-  CHECK(squared_distance(x, z, mx) == squared_distance(x, z));
-  CHECK(squared_distance(x, z) != squared_distance(z, x));
-}
-
 int main()
 {
   test_triangulation<Plain>();
   test_triangulation<Rich>();
   test_info();
   test_crossing_constraints();
-  test_directional_distance();
   return finish();
 }

@@ -15,7 +15,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 /// distance from a point to a generator is measured by the tensor of the field
 /// at the point. Bisectors pass through the midpoints of generators.
 ///
-/// \cgalModels{VoronoiDistance_2}
+/// \cgalModels{GeneratorMetric_2}
 struct Directional_distance_2
 {
   /// distances are measured at points.

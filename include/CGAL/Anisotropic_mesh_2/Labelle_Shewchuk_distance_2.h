@@ -15,7 +15,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 /// tensor at the generator (section 2.3 of \cgalCite{dw-acvt-05}). Bisectors are
 /// conics that do not pass through the midpoints of generators.
 ///
-/// \cgalModels{VoronoiDistance_2}
+/// \cgalModels{GeneratorMetric_2}
 struct Labelle_Shewchuk_distance_2
 {
   /// distances are measured at generators.

@@ -21,7 +21,7 @@ namespace CGAL::Anisotropic_mesh_2 {
 ///
 /// \tparam Weight a functor from vertex handles to positive numbers
 ///
-/// \cgalModels{VoronoiDistance_2}
+/// \cgalModels{GeneratorMetric_2}
 template <class Weight>
 class Multiplicative_weight_distance_2
 {

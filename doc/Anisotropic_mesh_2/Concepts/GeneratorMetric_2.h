@@ -1,7 +1,7 @@
 /// \ingroup PkgAnisotropicMesh2Concepts
 /// \cgalConcept
 ///
-/// The concept `VoronoiDistance_2` says by which tensor the distance from a
+/// The concept `GeneratorMetric_2` says by which tensor the distance from a
 /// point of the plane to a generator is measured: the squared distance is the
 /// squared length of the vector between both in that tensor (section 2.3 of \cgalCite{dw-acvt-05}).
 ///
@@ -12,7 +12,7 @@
 /// \cgalHasModels{CGAL::Anisotropic_mesh_2::Labelle_Shewchuk_distance_2}
 /// \cgalHasModels{CGAL::Anisotropic_mesh_2::Multiplicative_weight_distance_2<Weight>}
 /// \cgalHasModelsEnd
-class VoronoiDistance_2
+class GeneratorMetric_2
 {
 public:
   /// whether the tensor belongs to the generator. Otherwise it is that of the
