@@ -372,7 +372,7 @@ CONCEPTS = {
     "AnisotropicMeshFaceBase_2": (
         "Anisotropic_mesh_face_base_2 over any face base of a constrained triangulation",
         "Anisotropic_Delaunay_mesh_2"),
-    "VoronoiDistance_2": (
+    "GeneratorMetric_2": (
         "Directional_distance_2, the default; Labelle_Shewchuk_distance_2, Multiplicative_weight_distance_2",
         "Anisotropic_Voronoi_diagram_2"),
     "ParametricSurface_3": (
@@ -459,7 +459,7 @@ SOURCES = [
     ("fig/parameter_point_placement.svg", "teaching_figures", draw_parameter),
     ("fig/parameter_number_of_iterations.svg", "teaching_figures", draw_parameter),
     ("fig/parameter_region_evaluation.svg", "teaching_figures", draw_parameter),
-    ("fig/parameter_topological_moves.svg", "teaching_figures", draw_parameter),
+    ("fig/parameter_quality_moves.svg", "teaching_figures", draw_parameter),
     ("fig/poisson_error.svg", "poisson_boundary_layer", plot_poisson_errors),
     ("fig/convergence.svg", "convergence", plot_convergence),
     ("fig/quality_histogram.svg", "quality_histogram", plot_quality_histogram),

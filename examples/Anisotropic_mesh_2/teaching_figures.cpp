@@ -246,7 +246,7 @@ void show_parameters()
 
   for(std::size_t n : {0, 2, 10, 100})
     show_optimized("number_of_iterations", "number_of_iterations(" + std::to_string(n) + ")", by_edges,
-                   np::topological_moves(false).number_of_iterations(n));
+                   np::quality_moves(false).number_of_iterations(n));
 
   const std::pair<const char*, am::Region_evaluation> evaluations[] = {
     {"BY_FACES", am::Region_evaluation::BY_FACES}, {"VISIBILITY_REGIONS", am::Region_evaluation::VISIBILITY_REGIONS},
@@ -255,8 +255,8 @@ void show_parameters()
     show_optimized("region_evaluation", name, layer.unit_mesh(),
                    np::region_evaluation(evaluation).number_of_iterations(20));
 
-  show_optimized("topological_moves", "topological_moves(false)", rough.unit_mesh(), np::topological_moves(false));
-  show_optimized("topological_moves", "topological_moves(true)", rough.unit_mesh(), np::topological_moves(true));
+  show_optimized("quality_moves", "quality_moves(false)", rough.unit_mesh(), np::quality_moves(false));
+  show_optimized("quality_moves", "quality_moves(true)", rough.unit_mesh(), np::quality_moves(true));
 }
 
 int main()
