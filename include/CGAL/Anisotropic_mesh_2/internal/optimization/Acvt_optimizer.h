@@ -70,7 +70,7 @@ public:
       m_state.energy = m_evaluate(m_moments);
       summarize();
       if(m_criteria.energy_reduction > 0 && is_stalled())
-        return CANT_IMPROVE_ANYMORE;
+        return stop_without_improvement();
     }
   }
 
@@ -83,7 +83,7 @@ public:
       if(is_finished(code))
         return code;
       if((!descend() && !restart()) || is_stalled())
-        return CANT_IMPROVE_ANYMORE;
+        return stop_without_improvement();
     }
   }
 
@@ -136,10 +136,22 @@ private:
     return Symmetric_form(m_mover.free_vertices()[i]->metric_tensor()).length(v.x, v.y);
   }
 
-  bool is_finished(Mesh_optimization_return_code& code)
+  // whether the visitor lets the optimizer go on
+  bool report()
   {
     m_state.seconds = m_timer.time();
-    const bool go_on = m_visitor.iteration(static_cast<const Optimization_state&>(m_state));
+    return m_visitor.iteration(static_cast<const Optimization_state&>(m_state));
+  }
+
+  Mesh_optimization_return_code stop_without_improvement()
+  {
+    report();
+    return CANT_IMPROVE_ANYMORE;
+  }
+
+  bool is_finished(Mesh_optimization_return_code& code)
+  {
+    const bool go_on = report();
     if(m_free.empty())
       code = ALL_VERTICES_FROZEN;
     else if(!go_on)
