@@ -16,6 +16,7 @@
 #include <iostream>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace CGAL::Anisotropic_mesh_2::internal;
@@ -496,6 +497,14 @@ void test_optimizers()
   const Case c = paper_cases()[1];
   for(Measure measure : {Measure::RIEMANNIAN, Measure::LEBESGUE}) {
     const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+    const auto first_energy = [&](Region_evaluation evaluation) {
+      Mesh mesh = start;
+      return CGAL::optimize_anisotropic_mesh_2
+        (mesh, np::region_evaluation(evaluation).measure(measure).number_of_iterations(0)).energy;
+    };
+    CHECK(first_energy(Region_evaluation::BY_FACES) == value(Facewise_energy<Mesh>(start, measure)));
+    CHECK(first_energy(Region_evaluation::VISIBILITY_REGIONS) == value(Visibility_energy<Mesh>(start, measure)));
+    CHECK(first_energy(Region_evaluation::FULL_REGIONS) == value(Full_region_energy<Mesh>(start, measure)));
     const auto parameters = np::region_evaluation(Region_evaluation::VISIBILITY_REGIONS)
       .measure(measure).convergence(0.).number_of_iterations(8);
     Mesh lloyd = start, quick = start;
