@@ -27,6 +27,7 @@ struct Raw_options
   std::string domain;
   std::map<std::string, std::string> metric;   // by the name of the option, with its dashes
   std::vector<std::string> outputs;
+  std::vector<double> window;
   bool quiet = false, verbose = false;
 };
 
@@ -125,6 +126,8 @@ void declare_output(CLI::App& app, Options& options, Raw_options& raw)
     ->type_name("FILE")->group(group)->allow_extra_args(false);
   app.add_option("--voronoi", options.voronoi, "a picture of the tessellation")
     ->type_name("FILE.svg")->group(group);
+  app.add_option("--window", raw.window, "the part of the plane that .svg files show, XMIN,YMIN,XMAX,YMAX; default all")
+    ->type_name("NUMBERS")->group(group)->delimiter(',')->expected(4);
   app.add_option("--stats", options.stats,
                  "statistics, - for standard output, which is the default if no output is asked for")
     ->type_name("FILE.json")->group(group);
@@ -144,8 +147,19 @@ Output output_of(const std::string& path)
   return Output{path, format->second};
 }
 
+void understand_window(const std::vector<double>& window, Options& options)
+{
+  if(window.empty())
+    return;
+  const bool is_finite = std::all_of(window.begin(), window.end(), [](double x) { return std::isfinite(x); });
+  if(!is_finite || !(window[0] < window[2]) || !(window[1] < window[3]))
+    throw Unusable_input("--window: needs XMIN < XMAX and YMIN < YMAX");
+  options.window = CGAL::Bbox_2(window[0], window[1], window[2], window[3]);
+}
+
 void understand_outputs(const Raw_options& raw, Options& options)
 {
+  understand_window(raw.window, options);
   for(const std::string& path : raw.outputs)
     options.meshes.push_back(output_of(path));
   if(options.meshes.empty() && options.voronoi.empty() && options.stats.empty())

@@ -9,6 +9,8 @@
 
 #include "Formula_metric_field.h"
 
+#include <CGAL/Bbox_2.h>
+
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -62,6 +64,7 @@ struct Options
 
   std::vector<Output> meshes;
   std::string         voronoi;                 // empty: not asked for
+  CGAL::Bbox_2        window;                  // of pictures; empty: all
   std::string         stats;                   // the same; "-" is standard output
   Verbosity           verbosity = Verbosity::NORMAL;
 

@@ -38,14 +38,14 @@ void check_output(const std::string& option, const std::string& path)
   }
 }
 
-void write_mesh(const Mesh& mesh, const Output& output)
+void write_mesh(const Mesh& mesh, const Output& output, const CGAL::Bbox_2& window)
 {
   write_safely(output.path, [&](std::ostream& os) {
     switch(output.format) {
     case File_format::MESH: return CGAL::IO::write_MEDIT(os, mesh);
     case File_format::VTU:  return CGAL::IO::write_VTU(os, mesh);
     case File_format::OFF:  return CGAL::IO::write_OFF(os, mesh);
-    case File_format::SVG:  return CGAL::IO::write_SVG(os, mesh);
+    case File_format::SVG:  return CGAL::IO::write_SVG(os, mesh, "", window);
     case File_format::PLY:  break; // refused before
     }
   });
@@ -112,11 +112,14 @@ void write_statistics(const std::string& path, const CGAL::Anisotropic_mesh_2::S
 void write_outputs(const Mesh& mesh, const Options& options, const Run_report& report)
 {
   for(const Output& output : options.meshes)
-    write_mesh(mesh, output);
+    write_mesh(mesh, output, options.window);
   if(!options.voronoi.empty())
     write_safely(options.voronoi, [&](std::ostream& os) {
       typedef CGAL::Anisotropic_mesh_2::Directional_distance_2 Distance;
-      CGAL::IO::write_SVG(os, CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Distance, Concurrency_tag>(mesh, {}, 1e-3));
+      CGAL::Anisotropic_mesh_2::Voronoi_drawing drawing;
+      drawing.window = options.window;
+      CGAL::IO::write_SVG(os, CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Distance, Concurrency_tag>(mesh, {}, 1e-3), "",
+                          drawing);
     });
   if(!options.stats.empty())
     write_json(options.stats, json_of(statistics(mesh, options), report));

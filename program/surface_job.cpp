@@ -40,6 +40,8 @@ void check_options(const Options& options)
     throw Unusable_input(name + ": a surface has its own metric; only --scale changes it");
   if(options.optimizer == Optimizer::LLOYD)
     throw Unusable_input("--optimizer lloyd: not for surfaces; lbfgs or none");
+  if(options.window != CGAL::Bbox_2())
+    throw Unusable_input("--window: not for surfaces");
   if(options.keep_boundary)
     throw Unusable_input("--keep-boundary: not for surfaces");
   if(options.measure != Measure::RIEMANNIAN)

@@ -210,6 +210,7 @@ def test_surfaces(t):
     t.refuse(["builtin:torus", "--scale"], "builtin:torus", "--size", "1")
     t.refuse(["lloyd"], "builtin:torus", "--optimizer", "lloyd")
     t.refuse(["--keep-boundary"], "builtin:torus", "--keep-boundary")
+    t.refuse(["--window"], "builtin:torus", "--window", "0,0,1,1")
     for scale, words in (("40", "too large"), ("1e-9", "vertices")):
         result = t.run("builtin:torus", "--scale", scale, "--stats", "-")
         t.check(result.returncode == 2 and words in result.stderr and result.stdout == "",
@@ -237,6 +238,12 @@ def test_outputs(t):
     for name in ("a.svg", "cells.svg"):
         root = ElementTree.parse(os.path.join(t.directory, name)).getroot()
         t.check(root.tag.endswith("svg") and len(list(root.iter())) > 2, f"{name}: {root.tag}")
+
+    t.run("builtin:parallelogram", "--optimizer", "none", "-o", "w.svg", "--voronoi", "v.svg", "--window", "-0.1,0,0.2,0.1")
+    for whole, part in (("a.svg", "w.svg"), ("cells.svg", "v.svg")):
+        t.check("<svg x=" in t.read(part) and len(t.read(part)) < len(t.read(whole)), f"a window in {part}")
+    t.refuse(["--window", "XMIN < XMAX"], "builtin:disc", "-o", "a.svg", "--window", "1,1,0,0")
+    t.refuse(["--window"], "builtin:disc", "-o", "a.svg", "--window", "1,1,0")
 
     result = t.run("builtin:parallelogram", "--iterations", "5", "--stats", "s.json")
     t.check(result.returncode == 0 and result.stdout == "" and result.stderr == "", "--stats FILE prints nothing")

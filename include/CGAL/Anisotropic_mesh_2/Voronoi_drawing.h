@@ -9,6 +9,8 @@
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 
+#include <CGAL/Bbox_2.h>
+
 namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2IO
@@ -20,6 +22,7 @@ struct Voronoi_drawing
   bool mass_centres = false;  ///< in red, with a line from the generator
   bool dual_edges = false;    ///< lines between the generators of neighbors
   Measure measure = Measure::RIEMANNIAN; ///< of the mass centres
+  Bbox_2 window;              ///< the part of the plane that is shown; all if it is empty
 };
 
 } // namespace CGAL::Anisotropic_mesh_2

@@ -10,12 +10,14 @@
 #include <CGAL/Anisotropic_mesh_2/internal/IO/domain_graph.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_mesh.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_surface.h>
-#include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_voronoi_diagram.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_tessellation.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/write_file.h>
 #include <CGAL/Anisotropic_mesh_2/IO/Mesh_io_exception.h>
 #include <CGAL/Anisotropic_mesh_2/Surface_voronoi_region_3.h>
 #include <CGAL/Anisotropic_mesh_2/View_direction_3.h>
 #include <CGAL/Anisotropic_mesh_2/Voronoi_drawing.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <array>
 #include <ostream>
@@ -35,20 +37,24 @@ namespace IO {
 /// draws the domain of a triangulation as a Scalable Vector Graphics file,
 /// 800 pixels wide.
 ///
-/// Subdomains are softly filled. The width of the edges follows the size of
+/// Subdomains are softly filled, in different colors where they touch. The width of the edges follows the size of
 /// the triangles around them, so that graded and very anisotropic meshes stay
-/// readable; the boundary and inner constraints are thick.
+/// readable; the boundary and inner constraints are thick, and have colors by their references if these differ,
+/// which are not the same for references that meet at a vertex.
 ///
 /// \tparam Tr a constrained triangulation of \cgal whose faces have a member
-/// `bool is_in_domain() const` and possibly `int subdomain_index() const`
-/// \param os the stream
+/// `bool is_in_domain() const` and possibly `int subdomain_index() const`; references of edges are those
+/// that `write_MEDIT()` writes
+/// \param os the stream, whose state tells whether all was written
 /// \param tr the triangulation
 /// \param title what the line of text below the picture begins with; may be empty
+/// \param window the part of the plane that is shown; all if it is empty
 template <class Tr>
-void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::string())
+void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::string(),
+               const Bbox_2& window = Bbox_2())
 {
   const Anisotropic_mesh_2::internal::Domain_graph graph = Anisotropic_mesh_2::internal::domain_graph(tr);
-  Anisotropic_mesh_2::internal::Svg_mesh(graph, std::vector<double>()).write(os, title);
+  Anisotropic_mesh_2::internal::Svg_mesh(graph, {}, window).write(os, title);
 }
 
 /// draws the domain of a triangulation with triangles colored by quality, and
@@ -61,23 +67,24 @@ void write_SVG(std::ostream& os, const Tr& tr, const std::string& title = std::s
 /// \param tr the triangulation
 /// \param title what the line of text below the picture begins with; may be empty
 /// \param quality the quality of a face
+/// \param window as above
 template <class Tr, class Quality>
-void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Quality& quality)
+void write_SVG(std::ostream& os, const Tr& tr, const std::string& title, const Quality& quality,
+               const Bbox_2& window = Bbox_2())
 {
   const Anisotropic_mesh_2::internal::Domain_graph graph = Anisotropic_mesh_2::internal::domain_graph(tr);
   std::vector<double> qualities;
   for(auto f = tr.finite_faces_begin(); f != tr.finite_faces_end(); ++f)
     if(f->is_in_domain())
       qualities.push_back(quality(typename Tr::Face_handle(f)));
-  Anisotropic_mesh_2::internal::Svg_mesh(graph, qualities).write(os, title);
+  Anisotropic_mesh_2::internal::Svg_mesh(graph, qualities, window).write(os, title);
 }
 
 /// draws a tessellation: its regions in soft colors, different for neighbors,
 /// their orphans in a strong tone of the same color, the constrained edges, and
 /// what `drawing` asks for.
 ///
-/// The width of lines follows that of the regions. With the tag `Parallel_tag` all threads draw, and the file is
-/// the same.
+/// The width of lines follows that of the regions.
 /// \tparam Mesh,Distance,ConcurrencyTag as for `Anisotropic_Voronoi_diagram_2`
 /// \param os the stream
 /// \param diagram the tessellation
@@ -89,8 +96,9 @@ void write_SVG(std::ostream& os, const Anisotropic_Voronoi_diagram_2<Mesh, Dista
                const std::string& title = std::string(),
                const Anisotropic_mesh_2::Voronoi_drawing& drawing = Anisotropic_mesh_2::Voronoi_drawing())
 {
-  typedef Anisotropic_Voronoi_diagram_2<Mesh, Distance, ConcurrencyTag> Diagram;
-  Anisotropic_mesh_2::internal::Svg_voronoi_diagram<Diagram>(diagram, drawing).write(os, title);
+  namespace internal = Anisotropic_mesh_2::internal;
+  const internal::Tessellation_lines lines = internal::tessellation_lines(diagram, drawing);
+  internal::Svg_tessellation(lines, drawing).write(os, title);
 }
 
 /// draws a mesh of a surface, shaded and with hidden faces behind the others, as a

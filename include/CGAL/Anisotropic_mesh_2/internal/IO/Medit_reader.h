@@ -14,8 +14,8 @@
 #include <CGAL/Metric_tensor_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <limits>
 #include <set>
 #include <string>
 #include <string_view>
@@ -138,11 +138,10 @@ private:
       return;
     const std::size_t lines = count("the number of lines of the section");
     const int words = section->words < 0 ? m_dimension : section->words;
-    for(std::size_t i = 0; i < lines; ++i) {
-      set_item(section->keyword, i + 1, lines);
+    read_items(section->keyword, lines, [&](std::size_t) {
       for(int j = 0; j < words; ++j)
         number("a number");
-    }
+    });
   }
 
   int m_dimension = 0;
@@ -162,15 +161,19 @@ public:
     m_scanner.read_sections([this](const std::string& keyword) { return read(keyword); });
     if(!m_has_vertices)
       m_scanner.fail("the section Vertices is missing");
-    check_indices("edge", m_edges_at, 2, m_graph.edges,
-                  [](const typename Graph::Edge& e) { return std::array<std::size_t, 2>{e.source, e.target}; });
-    check_indices("triangle", m_triangles_at, 3, m_graph.triangles,
-                  [](const std::array<std::size_t, 3>& t) { return t; });
+    check_indices();
   }
 
   Graph& graph() { return m_graph; }
 
 private:
+  // a section of elements between vertices
+  struct Section
+  {
+    const char* kind;
+    std::size_t number, begin, indices;
+  };
+
   bool read(const std::string& keyword)
   {
     if(keyword == "Vertices")
@@ -191,49 +194,70 @@ private:
     m_graph.points.reserve(m_scanner.at_most(n, 3));
     m_graph.point_references.reserve(m_graph.points.capacity());
     double first_z = 0;
-    for(std::size_t i = 0; i < n; ++i) {
-      m_scanner.set_item("vertex", i + 1, n);
+    m_scanner.read_items("vertex", n, [&](std::size_t i) {
       const double x = m_scanner.number("the x coordinate");
       const double y = m_scanner.number("the y coordinate");
-      if(m_scanner.dimension() == 3)
-        check_z(m_scanner.number("the z coordinate"), i, first_z);
+      const double z = m_scanner.dimension() == 3 ? m_scanner.number("the z coordinate") : 0;
+      if(i == 0)
+        first_z = z;
+      if(z != first_z)
+        m_scanner.fail("the mesh does not lie in a plane of constant z, and only plane meshes are supported");
       m_graph.points.push_back(point_at<typename K::Point_2>(x, y));
       m_graph.point_references.push_back(m_scanner.integer<int>("the reference"));
-    }
-  }
-
-  void check_z(double z, std::size_t i, double& first_z)
-  {
-    if(i == 0)
-      first_z = z;
-    if(z != first_z)
-      m_scanner.fail("the mesh does not lie in a plane of constant z, and only plane meshes are supported");
+    });
   }
 
   void read_edges()
   {
     const std::size_t n = m_scanner.number_of("Edges");
-    m_edges_at = m_scanner.position();
     m_graph.edges.reserve(m_scanner.at_most(n, 3));
-    for(std::size_t i = 0; i < n; ++i) {
-      m_scanner.set_item("edge", i + 1, n);
-      const std::size_t source = index(), target = index();
-      m_graph.edges.push_back({source, target, m_scanner.integer<int>("the reference")});
-    }
+    read_elements(Section{"edge", n, m_scanner.position(), 2}, [this](const std::size_t* v, int reference) {
+      m_graph.edges.push_back({v[0], v[1], reference});
+    });
   }
 
   void read_triangles()
   {
     const std::size_t n = m_scanner.number_of("Triangles");
-    m_triangles_at = m_scanner.position();
     m_graph.triangles.reserve(m_scanner.at_most(n, 4));
     m_graph.triangle_references.reserve(m_graph.triangles.capacity());
-    for(std::size_t i = 0; i < n; ++i) {
-      m_scanner.set_item("triangle", i + 1, n);
-      const std::size_t a = index(), b = index(), c = index();
-      m_graph.triangles.push_back({a, b, c});
-      m_graph.triangle_references.push_back(m_scanner.integer<int>("the reference"));
-    }
+    read_elements(Section{"triangle", n, m_scanner.position(), 3}, [this](const std::size_t* v, int reference) {
+      m_graph.triangles.push_back({v[0], v[1], v[2]});
+      m_graph.triangle_references.push_back(reference);
+    });
+  }
+
+  // Vertices may follow later, so the upper bound of indices is checked at the end.
+  template <class Store>
+  void read_elements(const Section& section, const Store& store)
+  {
+    m_sections.push_back(section);
+    read_elements(section, (std::numeric_limits<long long>::max)(), [&](const std::size_t* v, int reference) {
+      for(std::size_t i = 0; i < section.indices; ++i)
+        m_indices_end = (std::max)(m_indices_end, v[i] + 1);
+      store(v, reference);
+    });
+  }
+
+  template <class Store>
+  void read_elements(const Section& section, long long last_index, const Store& store)
+  {
+    m_scanner.read_items(section.kind, section.number, [&](std::size_t) {
+      std::size_t v[3];
+      for(std::size_t i = 0; i < section.indices; ++i)
+        v[i] = m_scanner.index("the index of a vertex", 1, last_index);
+      store(v, m_scanner.integer<int>("the reference"));
+    });
+  }
+
+  // reads again what has an index that no vertex has, which now is complained about
+  void check_indices()
+  {
+    if(m_indices_end > m_graph.points.size())
+      for(const Section& section : m_sections) {
+        m_scanner.move_to(section.begin);
+        read_elements(section, static_cast<long long>(m_graph.points.size()), [](const std::size_t*, int) {});
+      }
   }
 
   bool refuse_other_elements(const std::string& keyword)
@@ -247,37 +271,11 @@ private:
     return false;
   }
 
-  // Vertices may follow later, so the upper bound is checked at the end.
-  std::size_t index() { return m_scanner.index("the index of a vertex", 1, (std::numeric_limits<long long>::max)()); }
-
-  template <class Element, class Indices>
-  void check_indices(const char* kind, std::size_t at, int number_of_indices,
-                     const std::vector<Element>& elements, const Indices& indices)
-  {
-    const std::size_t n = m_graph.points.size();
-    for(std::size_t i = 0; i < elements.size(); ++i) {
-      const auto is = indices(elements[i]);
-      for(std::size_t j = 0; j < is.size(); ++j)
-        if(is[j] >= n)
-          fail_at(kind, at, i, elements.size(), i * (number_of_indices + 1) + j + 1);
-    }
-  }
-
-  // complains about the word with the number `words` behind the position `at`
-  void fail_at(const char* kind, std::size_t at, std::size_t i, std::size_t total, std::size_t words)
-  {
-    m_scanner.move_to(at);
-    for(std::size_t k = 0; k < words; ++k)
-      m_scanner.next_word();
-    m_scanner.set_item(kind, i + 1, total);
-    m_scanner.mismatch("the index of a vertex", m_scanner.last_word(),
-                       Text_scanner::out_of_range(1, static_cast<long long>(m_graph.points.size())));
-  }
-
-  Medit_scanner m_scanner;
-  Graph         m_graph;
-  bool          m_has_vertices = false;
-  std::size_t   m_edges_at = 0, m_triangles_at = 0;
+  Medit_scanner        m_scanner;
+  Graph                m_graph;
+  bool                 m_has_vertices = false;
+  std::vector<Section> m_sections;
+  std::size_t          m_indices_end = 0;
 };
 
 // a .sol file
@@ -310,14 +308,13 @@ private:
     const std::size_t n = m_scanner.number_of("SolAtVertices");
     const bool is_tensor = read_type();
     m_tensors.reserve(m_scanner.at_most(n, is_tensor ? 3 : 1));
-    for(std::size_t i = 0; i < n; ++i) {
-      m_scanner.set_item("the metric of vertex", i + 1, n);
+    m_scanner.read_items("the metric of vertex", n, [&](std::size_t) {
       try {
         m_tensors.push_back(is_tensor ? read_tensor() : read_size());
       } catch(const Invalid_metric_tensor_exception& e) {
         m_scanner.fail(e.what());
       }
-    }
+    });
   }
 
   bool read_type()

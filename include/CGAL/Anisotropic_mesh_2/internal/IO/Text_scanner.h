@@ -38,13 +38,22 @@ public:
   bool ends_with_newline() const { return !m_text.empty() && m_text.back() == '\n'; }
 
   // the item that complaints are to name: `kind` `index` of `total`
-  void set_item(const char* kind, std::size_t index, std::size_t total)
+  void set_item(const char* kind, std::size_t index = 0, std::size_t total = 0)
   {
     m_kind = kind;
     m_index = index;
     m_total = total;
   }
-  void set_item(const char* kind) { set_item(kind, 0, 0); }
+
+  // calls `read(i)` for each of `n` items
+  template <class Read>
+  void read_items(const char* kind, std::size_t n, const Read& read)
+  {
+    for(std::size_t i = 0; i < n; ++i) {
+      set_item(kind, i + 1, n);
+      read(i);
+    }
+  }
 
   std::size_t position() const { return m_position; }
   void move_to(std::size_t position) { m_position = m_word = position; }
@@ -109,12 +118,10 @@ public:
   double number(const char* expected)
   {
     const std::string_view w = word(expected);
-    const char* const end = w.data() + w.size();
     double x = 0;
-    const std::from_chars_result result = std::from_chars(without_plus(w), end, x);
-    if(result.ptr != end || result.ec == std::errc::invalid_argument)
+    if(!convert(w, x))
       mismatch(expected, w);
-    if(!std::isfinite(x) || (result.ec == std::errc::result_out_of_range && is_large(w)))
+    if(!std::isfinite(x))
       mismatch(expected, w, "which is not finite");
     return x;
   }
@@ -229,14 +236,21 @@ private:
     return last_word();
   }
 
-  // which end of the range of numbers a number is beyond, whatever the locale of the program is
-  static bool is_large(std::string_view w)
+  // Returns whether the word is a number, whatever the locale of the program is; infinity if it is too large.
+  static bool convert(std::string_view w, double& x)
   {
-    double x = 0;
+#ifdef __cpp_lib_to_chars // streams are slower, but some standard libraries have nothing else for double
+    const char* const end = w.data() + w.size();
+    const std::from_chars_result result = std::from_chars(without_plus(w), end, x);
+    if(result.ec != std::errc::result_out_of_range)
+      return result.ec == std::errc() && result.ptr == end;
+#endif
     std::istringstream in{std::string(w)};
     in.imbue(std::locale::classic());
     in >> x;
-    return std::abs(x) > 1;
+    if(in.fail() && std::abs(x) > 1)
+      x = std::numeric_limits<double>::infinity();
+    return in.eof() && (!in.fail() || std::isinf(x));
   }
 
   static const char* without_plus(std::string_view w)

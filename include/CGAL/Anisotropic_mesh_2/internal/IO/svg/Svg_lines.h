@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,11 +21,6 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 typedef std::array<int, 2>              Svg_point;
 typedef std::pair<Svg_point, Svg_point> Svg_edge;
 typedef std::vector<Svg_point>          Svg_line;
-
-inline double svg_distance(const Svg_point& p, const Svg_point& q)
-{
-  return std::hypot(double(q[0]) - p[0], double(q[1]) - p[1]);
-}
 
 // whether `p` lies between `a` and `b`, at most `tolerance` beside the line
 inline bool is_between(const Svg_point& p, const Svg_point& a, const Svg_point& b, double tolerance)
@@ -51,68 +46,46 @@ inline Svg_line simplified(const Svg_line& line)
 // Joins edges to a few long lines, always the same for the same edges. With
 // `are_directed`, edges are followed in their direction only: if as many enter
 // as leave at each point, all lines are closed.
-class Svg_line_joiner
+inline std::vector<Svg_line> joined_lines(const std::vector<Svg_edge>& edges, bool are_directed)
 {
-public:
-  Svg_line_joiner(const std::vector<Svg_edge>& edges, bool are_directed)
-  {
-    for(std::size_t i = 0; i < edges.size(); ++i)
-      if(edges[i].first != edges[i].second) {
-        m_ends.push_back(End{edges[i].first, edges[i].second, i});
-        if(!are_directed)
-          m_ends.push_back(End{edges[i].second, edges[i].first, i});
-      }
-    std::sort(m_ends.begin(), m_ends.end());
-    m_is_used.assign(edges.size(), false);
-  }
-
-  std::vector<Svg_line> lines()
-  {
-    std::vector<Svg_line> result;
-    for(bool from_odd_points : {true, false}) // those in which lines must end
-      for(std::size_t first = 0, last; first < m_ends.size(); first = last) {
-        for(last = first; last < m_ends.size() && m_ends[last].from == m_ends[first].from;)
-          ++last;
-        if(from_odd_points && (last - first) % 2 == 0)
-          continue;
-        Svg_line line;
-        while((line = line_from(m_ends[first].from)).size() > 1)
-          result.push_back(std::move(line));
-      }
-    return result;
-  }
-
-private:
-  struct End
-  {
-    Svg_point   from, to;
-    std::size_t edge;
-
-    bool operator<(const End& e) const
-    {
-      return from != e.from ? from < e.from : to != e.to ? to < e.to : edge < e.edge;
+  typedef std::tuple<Svg_point, Svg_point, std::size_t> Step; // from, to, edge
+  std::vector<Step> steps;
+  for(std::size_t i = 0; i < edges.size(); ++i)
+    if(edges[i].first != edges[i].second) {
+      steps.emplace_back(edges[i].first, edges[i].second, i);
+      if(!are_directed)
+        steps.emplace_back(edges[i].second, edges[i].first, i);
     }
+  std::sort(steps.begin(), steps.end());
+  const auto first_from = [&](const Svg_point& p) {
+    return std::lower_bound(steps.begin(), steps.end(), p,
+                            [](const Step& s, const Svg_point& q) { return std::get<0>(s) < q; });
   };
-
-  Svg_line line_from(Svg_point p)
-  {
+  std::vector<bool> is_used(edges.size(), false);
+  const auto line_from = [&](Svg_point p) {
     Svg_line line(1, p);
-    while(true) {
-      auto end = std::lower_bound(m_ends.begin(), m_ends.end(), p,
-                                  [](const End& e, const Svg_point& q) { return e.from < q; });
-      while(end != m_ends.end() && end->from == p && m_is_used[end->edge])
-        ++end;
-      if(end == m_ends.end() || end->from != p)
-        return line;
-      m_is_used[end->edge] = true;
-      p = end->to;
-      line.push_back(p);
+    for(auto s = first_from(p); s != steps.end() && std::get<0>(*s) == p;)
+      if(is_used[std::get<2>(*s)])
+        ++s;
+      else {
+        is_used[std::get<2>(*s)] = true;
+        line.push_back(p = std::get<1>(*s));
+        s = first_from(p);
+      }
+    return line;
+  };
+  std::vector<Svg_line> lines;
+  for(bool from_odd_points : {true, false}) // those in which lines must end
+    for(std::size_t first = 0, last; first < steps.size(); first = last) {
+      const Svg_point p = std::get<0>(steps[first]);
+      for(last = first; last < steps.size() && std::get<0>(steps[last]) == p;)
+        ++last;
+      if(!from_odd_points || (last - first) % 2 == 1)
+        for(Svg_line line = line_from(p); line.size() > 1; line = line_from(p))
+          lines.push_back(line);
     }
-  }
-
-  std::vector<End>  m_ends;
-  std::vector<bool> m_is_used;
-};
+  return lines;
+}
 
 } // namespace CGAL::Anisotropic_mesh_2::internal
 

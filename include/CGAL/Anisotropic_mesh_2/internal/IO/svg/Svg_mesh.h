@@ -8,10 +8,12 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_IO_SVG_SVG_MESH_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/IO/domain_graph.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_colors.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_picture.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -26,11 +28,13 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 class Svg_mesh
 {
 public:
-  Svg_mesh(const Domain_graph& graph, const std::vector<double>& qualities)
-    : m_graph(graph), m_qualities(qualities), m_picture(window(graph), qualities.empty() ? 0 : legend_width)
+  Svg_mesh(const Domain_graph& graph, std::vector<double> qualities, const Bbox_2& window)
+    : m_graph(graph), m_qualities(std::move(qualities)),
+      m_picture(box_of(graph.points), window, m_qualities.empty() ? 0 : legend_width)
   {
     collect_edges();
-    m_picture.set_detail(size_at(0.02));
+    m_picture.set_detail(rooms(), 0.02);
+    choose_colors();
   }
 
   void write(std::ostream& os, const std::string& title) const
@@ -48,15 +52,17 @@ public:
   }
 
 private:
-  static constexpr double legend_width = 74;
+  static constexpr double      legend_width = 74;
+  static constexpr int         quality_classes = 20;
+  static constexpr const char *thin_color = "#33475b", *boundary_color = "#14202b", *constraint_color = "#c2491d";
 
   // an edge and how much room there is around it, in pixels
   struct Edge
   {
     std::size_t source, target;
-    double      room;
-    int         triangles;
-    bool        is_constrained;
+    double      room = 1e300;
+    int         triangles = 0, reference = 0;
+    bool        is_constrained = false;
 
     bool operator<(const Edge& e) const
     {
@@ -64,60 +70,74 @@ private:
     }
   };
 
-  static Svg_window window(const Domain_graph& graph)
-  {
-    Svg_window result;
-    for(const auto& p : graph.points)
-      result.add(p.x(), p.y());
-    return result;
-  }
-
   void collect_edges()
   {
     for(const auto& t : m_graph.triangles)
-      for(int i = 0; i < 3; ++i)
-        m_edges.push_back(edge_of(t[i], t[(i + 1) % 3], t[(i + 2) % 3]));
+      for(std::size_t i = 0; i < 3; ++i) {
+        const std::size_t a = t[i], b = t[(i + 1) % 3];
+        m_edges.push_back(Edge{(std::min)(a, b), (std::max)(a, b), room(a, b, t[(i + 2) % 3]), 1, 0, false});
+      }
     for(const auto& e : m_graph.edges)
-      m_edges.push_back(Edge{(std::min)(e.source, e.target), (std::max)(e.source, e.target), 1e300, 0, true});
-    std::sort(m_edges.begin(), m_edges.end());
+      m_edges.push_back(Edge{(std::min)(e.source, e.target), (std::max)(e.source, e.target), 1e300, 0, e.reference, true});
+    std::stable_sort(m_edges.begin(), m_edges.end());
     std::size_t n = 0;
     for(const Edge& e : m_edges)
       if(n > 0 && !(m_edges[n - 1] < e)) {
-        m_edges[n - 1].room = (std::min)(m_edges[n - 1].room, e.room);
-        m_edges[n - 1].triangles += e.triangles;
-        m_edges[n - 1].is_constrained |= e.is_constrained;
+        Edge& same = m_edges[n - 1];
+        same.room = (std::min)(same.room, e.room);
+        same.triangles += e.triangles;
+        if(e.is_constrained) {
+          same.is_constrained = true;
+          same.reference = e.reference;
+        }
       } else
         m_edges[n++] = e;
     m_edges.resize(n);
   }
 
-  // The room is the least of the length and the height of the triangle.
-  Edge edge_of(std::size_t a, std::size_t b, std::size_t opposite) const
+  // The room is the least of the length of an edge and the height of the triangle.
+  double room(std::size_t a, std::size_t b, std::size_t opposite) const
   {
     const auto& p = m_graph.points[a];
     const auto& q = m_graph.points[b];
     const auto& r = m_graph.points[opposite];
     const double length = std::hypot(q.x() - p.x(), q.y() - p.y());
     const double area = std::abs((q.x() - p.x()) * (r.y() - p.y()) - (q.y() - p.y()) * (r.x() - p.x()));
-    const double room = length > 0 ? (std::min)(length, area / length) : 0;
-    return Edge{(std::min)(a, b), (std::max)(a, b), room * m_picture.scale(), 1, false};
+    return length > 0 ? (std::min)(length, area / length) * m_picture.scale() : 0;
   }
 
-  // the room that the given share of the edges does not have
-  double size_at(double share) const
+  // of all edges that can be seen
+  std::vector<double> rooms() const
   {
-    std::vector<double> rooms;
+    std::vector<double> result;
     for(const Edge& e : m_edges)
-      if(e.triangles > 0)
-        rooms.push_back(e.room);
-    if(rooms.empty())
-      return 1;
-    const auto at = rooms.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(rooms.size() - 1));
-    std::nth_element(rooms.begin(), at, rooms.end());
-    return *at;
+      if(e.triangles > 0 && m_picture.shows(line(e)))
+        result.push_back(e.room);
+    return result;
   }
 
-  Svg_point place(std::size_t v) const { return m_picture(m_graph.points[v].x(), m_graph.points[v].y()); }
+  // Edges get colors by their references where these differ along the boundary or among the inner constraints.
+  void choose_colors()
+  {
+    std::map<bool, int> first; // reference of an inner edge and of an edge of the boundary
+    std::vector<std::pair<std::size_t, int> > uses;
+    bool differ = false;
+    for(const Edge& e : m_edges)
+      if(e.is_constrained) {
+        differ |= first.emplace(e.triangles < 2, e.reference).first->second != e.reference;
+        uses.insert(uses.end(), {{e.source, e.reference}, {e.target, e.reference}});
+      }
+    if(differ)
+      m_edge_colors = colors_of_references(std::move(uses));
+    uses.clear();
+    for(std::size_t i = 0; i < m_graph.triangles.size(); ++i)
+      for(std::size_t v : m_graph.triangles[i])
+        uses.emplace_back(v, m_graph.triangle_references[i]);
+    m_subdomain_colors = colors_of_references(std::move(uses));
+  }
+
+  Svg_point place(std::size_t v) const { return m_picture(m_graph.points[v]); }
+  Svg_edge line(const Edge& e) const { return Svg_edge(place(e.source), place(e.target)); }
 
   // a subdomain, or a class of quality, in one path each
   void draw_triangles(std::ostream& os) const
@@ -125,20 +145,24 @@ private:
     std::map<int, std::vector<Svg_edge>> sides;
     for(std::size_t i = 0; i < m_graph.triangles.size(); ++i) {
       const auto& t = m_graph.triangles[i];
-      const int c = m_qualities.empty() ? m_graph.triangle_references[i]
-                                        : static_cast<int>(std::floor(clamped(m_qualities[i]) * quality_classes));
-      for(int j = 0; j < 3; ++j)
-        sides[c].emplace_back(place(t[j]), place(t[(j + 1) % 3]));
+      const Svg_line corners = {place(t[0]), place(t[1]), place(t[2])};
+      const int c = m_qualities.empty() ? m_graph.triangle_references[i] : quality_class(m_qualities[i]);
+      for(std::size_t j = 0; j < 3 && m_picture.shows(corners); ++j)
+        sides[c].emplace_back(corners[j], corners[(j + 1) % 3]);
     }
-    std::size_t number = 0;
     for(const auto& c : sides)
-      m_picture.draw_areas(os, Svg_line_joiner(outline(c.second), true).lines(),
-                           m_qualities.empty() ? subdomain_color(number++)
-                                               : quality_color((c.first + 0.5) / quality_classes), 0.2);
+      m_picture.draw_areas(os, joined_lines(border(c.second), true), fill_of(c.first), 0.2);
+  }
+
+  std::string fill_of(int subdomain_or_class) const
+  {
+    if(!m_qualities.empty())
+      return quality_color(subdomain_or_class);
+    return m_subdomain_colors.size() == 1 ? "#e9f0f7" : name_of(soft_color(m_subdomain_colors.at(subdomain_or_class)));
   }
 
   // the sides that do not have a side in opposite direction
-  static std::vector<Svg_edge> outline(std::vector<Svg_edge> sides)
+  static std::vector<Svg_edge> border(std::vector<Svg_edge> sides)
   {
     std::sort(sides.begin(), sides.end());
     std::vector<Svg_edge> result;
@@ -150,59 +174,61 @@ private:
 
   void draw_edges(std::ostream& os) const
   {
-    const double thick = (std::min)((std::max)(0.22 * size_at(0.5), 0.8), 1.8);
+    std::vector<double> sizes = rooms();
+    const double thick = std::clamp(0.22 * (sizes.empty() ? 1 : quantile(sizes, 0.5)), 0.8, 1.8);
     Svg_width_classes thin(0.02, 0.6);
-    std::vector<Svg_edge> boundary, constraints;
-    for(const Edge& e : m_edges) {
-      const Svg_edge line(place(e.source), place(e.target));
-      if(e.triangles < 2)
-        boundary.push_back(line);
-      else if(e.is_constrained)
-        constraints.push_back(line);
-      else
-        thin.add(0.11 * e.room, line);
-    }
-    thin.for_each([&](double line_width, const std::vector<Svg_edge>& edges) {
-      m_picture.draw_lines(os, Svg_line_joiner(edges, false).lines(), "#33475b", line_width);
-    });
-    draw_thick(os, constraints, constraint_color(), 0.8 * thick);
-    draw_thick(os, boundary, "#14202b", thick);
+    std::map<std::pair<bool, std::string>, std::vector<Svg_edge> > thick_edges; // inner ones first
+    for(const Edge& e : m_edges)
+      if(m_picture.shows(line(e))) {
+        if(e.is_constrained || e.triangles < 2)
+          thick_edges[{e.triangles < 2, color_of(e)}].push_back(line(e));
+        else
+          thin.add(0.11 * e.room, line(e));
+      }
+    m_picture.draw_edges(os, thin, thin_color, false);
+    for(const auto& c : thick_edges)
+      m_picture.draw_edges(os, c.second, c.first.second, c.first.first ? thick : 0.8 * thick);
   }
 
-  void draw_thick(std::ostream& os, const std::vector<Svg_edge>& edges, const char* color, double line_width) const
+  std::string color_of(const Edge& e) const
   {
-    std::vector<Svg_line> lines;
-    for(const Svg_line& line : Svg_line_joiner(edges, false).lines())
-      lines.push_back(simplified(line));
-    m_picture.draw_lines(os, lines, color, line_width);
+    const auto color = m_edge_colors.find(e.reference);
+    return color != m_edge_colors.end() ? name_of(strong_color(color->second))
+                                        : e.triangles < 2 ? boundary_color : constraint_color;
   }
 
-  static const char* constraint_color() { return "#c2491d"; }
-
-  static std::string subdomain_color(std::size_t number)
+  static int quality_class(double quality)
   {
-    static const char* const colors[] = {"#e9f0f7", "#fbeedb", "#e6f3e6", "#f6e6ee", "#ebe8f6", "#f7f4d8"};
-    return colors[number % 6];
+    return quality > 0 ? static_cast<int>((std::min)(quality, 0.999999) * quality_classes) : 0;
   }
 
-  static constexpr int quality_classes = 20;
-
-  static double clamped(double quality) { return quality > 0 ? (std::min)(quality, 0.999999) : 0; }
-
-  static std::string quality_color(double quality)
+  static std::string quality_color(int quality_class)
   {
-    static const std::vector<std::array<int, 3>> table = {
+    static constexpr Svg_color table[] = {
       {122, 12, 36}, {178, 24, 43}, {226, 88, 56}, {247, 152, 84}, {252, 205, 131},
       {245, 233, 178}, {206, 229, 214}, {150, 203, 216}, {208, 229, 242}};
-    return svg_color(table, quality);
+    const double at = (quality_class + 0.5) / quality_classes * 8;
+    const std::size_t i = static_cast<std::size_t>(at);
+    return name_of(mixed(table[i], table[i + 1], at - static_cast<double>(i)));
   }
 
   std::string caption() const
   {
     std::string text = svg_count(m_graph.points.size()) + " vertices, "
                      + svg_count(m_graph.triangles.size()) + " triangles";
-    if(std::any_of(m_edges.begin(), m_edges.end(), [](const Edge& e) { return e.triangles > 1 && e.is_constrained; }))
-      text += std::string(", <tspan fill=\"") + constraint_color() + "\">inner constraints</tspan>";
+    const auto colored = [](const std::string& color, const std::string& word) {
+      return "<tspan fill=\"" + color + "\">" + word + "</tspan>";
+    };
+    if(!m_edge_colors.empty()) {
+      text += ", references of edges";
+      std::size_t room_left = 12;
+      for(const auto& c : m_edge_colors)
+        if(room_left > 0 && --room_left > 0)
+          text += ' ' + colored(name_of(strong_color(c.second)), std::to_string(c.first));
+      text += room_left == 0 ? " ..." : "";
+    } else if(std::any_of(m_edges.begin(), m_edges.end(),
+                          [](const Edge& e) { return e.triangles > 1 && e.is_constrained; }))
+      text += ", " + colored(constraint_color, "inner constraints");
     return text;
   }
 
@@ -214,7 +240,7 @@ private:
     os << "<text x=\"" << x << "\" y=\"" << y - 8 << "\">quality</text>\n";
     for(int i = 0; i < quality_classes; ++i)
       os << "<rect x=\"" << x << "\" y=\"" << y + step * (quality_classes - 1 - i) << "\" width=\"14\" height=\""
-         << step + 0.3 << "\" fill=\"" << quality_color((i + 0.5) / quality_classes) << "\"/>\n";
+         << step + 0.3 << "\" fill=\"" << quality_color(i) << "\"/>\n";
     for(int i = 0; i <= 4; ++i)
       os << "<text x=\"" << x + 19 << "\" y=\"" << y + step * quality_classes * (1 - i / 4.) + 4
          << "\" font-size=\"11\">" << i / 4. << "</text>\n";
@@ -234,9 +260,10 @@ private:
   }
 
   const Domain_graph&        m_graph;
-  const std::vector<double>& m_qualities;
+  const std::vector<double>  m_qualities;
   Svg_picture                m_picture;
   std::vector<Edge>          m_edges;
+  std::map<int, std::size_t> m_edge_colors, m_subdomain_colors; // of references
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -10,6 +10,8 @@
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_lines.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/Text_writer.h>
 
+#include <CGAL/Bbox_2.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,25 +26,25 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// the rectangle of the plane that a picture shows
-struct Svg_window
+// the value that the given share of the values does not reach; `values` are not empty
+inline double quantile(std::vector<double>& values, double share)
 {
-  double x_min = 0, y_min = 0, x_max = 1, y_max = 1;
-  bool   is_empty = true;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
 
-  void add(double x, double y)
-  {
-    if(is_empty) {
-      x_min = x_max = x;
-      y_min = y_max = y;
-      is_empty = false;
-    }
-    x_min = (std::min)(x_min, x);
-    y_min = (std::min)(y_min, y);
-    x_max = (std::max)(x_max, x);
-    y_max = (std::max)(y_max, y);
-  }
-};
+// the box of points
+template <class Points>
+Bbox_2 box_of(const Points& points)
+{
+  Bbox_2 box;
+  for(const auto& p : points)
+    box += Bbox_2(p[0], p[1], p[0], p[1]);
+  return box;
+}
+
+inline bool is_empty(const Bbox_2& box) { return !(box.xmin() <= box.xmax() && box.ymin() <= box.ymax()); }
 
 // lines that have the same width, whose class is a power of 0.75
 class Svg_width_classes
@@ -69,7 +71,7 @@ private:
   std::map<int, std::vector<Svg_edge>> m_edges;
 };
 
-// A picture 800 pixels wide that shows a window of the plane, and a caption
+// A picture 800 pixels wide that shows a box of the plane, and a caption
 // below. All lengths are in pixels.
 class Svg_picture
 {
@@ -77,35 +79,49 @@ public:
   static constexpr double width = 800, margin = 16, caption_height = 30, greatest_height = 1200,
                           least_height_of_legend = 125;
 
-  // `right_margin` leaves room for a legend
-  Svg_picture(const Svg_window& window, double right_margin) : m_window(window)
+  // Shows all, which is in `extent`, or what is in `window` if that is not empty. `right_margin` leaves room
+  // for a legend.
+  Svg_picture(const Bbox_2& extent, const Bbox_2& window = Bbox_2(), double right_margin = 0)
+    : m_is_zoomed(!is_empty(window)),
+      m_box(m_is_zoomed ? window : is_empty(extent) ? Bbox_2(0, 0, 1, 1) : extent)
   {
     const double available = width - 2*margin - right_margin;
-    const double w = window.x_max - window.x_min, h = window.y_max - window.y_min;
+    const double w = m_box.xmax() - m_box.xmin(), h = m_box.ymax() - m_box.ymin();
     m_scale = (std::min)(w > 0 ? available / w : 1e300, h > 0 ? greatest_height / h : 1e300);
     if(m_scale == 1e300)
       m_scale = 1;
+    m_width = w * m_scale;
     m_height = (std::max)(h * m_scale, right_margin > 0 ? least_height_of_legend : 1.);
-    m_x0 = margin + (available - w * m_scale) / 2;
+    m_x0 = margin + (available - m_width) / 2;
     m_y0 = margin + (m_height - h * m_scale) / 2;
   }
 
   double scale() const { return m_scale; }
   double height() const { return m_height; }
 
-  // Coordinates are rounded so that a detail of that many pixels still has 25 steps.
-  void set_detail(double pixels)
+  // Coordinates are rounded so that details of that many pixels still have 25 steps. Of many such sizes, those of
+  // which the given share is smaller are neglected.
+  void set_detail(std::vector<double> pixels, double share)
   {
-    m_steps = 10;
-    while(m_steps < 10000 && m_steps * pixels < 25)
+    const double detail = pixels.empty() ? 1 : quantile(pixels, share);
+    for(m_steps = 10; m_steps < 10000 && m_steps * detail < 25;)
       m_steps *= 2;
   }
 
-  Svg_point operator()(double x, double y) const
+  template <class Point>
+  Svg_point operator()(const Point& p) const
   {
-    return {static_cast<int>(std::lround((m_x0 + (x - m_window.x_min) * m_scale) * m_steps)),
-            static_cast<int>(std::lround((m_y0 + (m_window.y_max - y) * m_scale) * m_steps))};
+    return {rounded_to_step(m_x0 + (p[0] - m_box.xmin()) * m_scale),
+            rounded_to_step(m_y0 + (m_box.ymax() - p[1]) * m_scale)};
   }
+
+  // whether something of the line, of the edge or of the area can be seen
+  bool shows(const Svg_line& line) const
+  {
+    return !m_is_zoomed || CGAL::do_overlap(box_of(line), Bbox_2(m_x0 * m_steps, m_y0 * m_steps,
+                                                                 (m_x0 + m_width) * m_steps, (m_y0 + m_height) * m_steps));
+  }
+  bool shows(const Svg_edge& edge) const { return !m_is_zoomed || shows(Svg_line{edge.first, edge.second}); }
 
   // `draw(stream)` draws in steps, `annotate(stream)` writes texts in pixels
   template <class Draw, class Annotate>
@@ -115,11 +131,14 @@ public:
     out.imbue(std::locale::classic());
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" viewBox=\"0 0 800 "
         << std::lround(m_height + 2*margin + caption_height) << "\">\n<title>" << escaped(title)
-        << "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n"
-        << "<g transform=\"scale(" << 1. / m_steps << ")\" fill=\"none\" stroke-linecap=\"round\""
+        << "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    if(m_is_zoomed) // a picture in the picture hides what is outside of the window
+      out << "<svg x=\"" << m_x0 << "\" y=\"" << m_y0 << "\" width=\"" << m_width << "\" height=\"" << m_height
+          << "\" viewBox=\"" << m_x0 << ' ' << m_y0 << ' ' << m_width << ' ' << m_height << "\">\n";
+    out << "<g transform=\"scale(" << 1. / m_steps << ")\" fill=\"none\" stroke-linecap=\"round\""
         << " stroke-linejoin=\"round\">\n";
     draw(out);
-    out << "</g>\n<g font-family=\"Helvetica,Arial,sans-serif\" font-size=\"13\" fill=\"#44525f\">\n";
+    out << (m_is_zoomed ? "</g>\n</svg>\n" : "</g>\n") << "<g font-family=\"Helvetica,Arial,sans-serif\" font-size=\"13\" fill=\"#44525f\">\n";
     annotate(out);
     out << "</g>\n</svg>\n";
     os << out.str();
@@ -145,6 +164,34 @@ public:
     os << "<path stroke=\"" << color << "\" stroke-width=\"" << rounded(line_width) << "\" d=\"";
     write_path(os, lines, "");
     os << "\"/>\n";
+  }
+
+  // edges, joined to lines; with `as_one`, points on straight lines are left out
+  void draw_edges(std::ostream& os, const std::vector<Svg_edge>& edges, const std::string& color,
+                  double line_width, bool as_one = true) const
+  {
+    std::vector<Svg_line> lines = joined_lines(edges, false);
+    if(as_one)
+      std::transform(lines.begin(), lines.end(), lines.begin(), simplified);
+    draw_lines(os, lines, color, line_width);
+  }
+
+  void draw_edges(std::ostream& os, const Svg_width_classes& widths, const std::string& color, bool as_one = true) const
+  {
+    widths.for_each([&](double line_width, const std::vector<Svg_edge>& edges) {
+      draw_edges(os, edges, color, line_width, as_one);
+    });
+  }
+
+  // edges without a length
+  void draw_dots(std::ostream& os, const Svg_width_classes& diameters, const std::string& color) const
+  {
+    diameters.for_each([&](double diameter, const std::vector<Svg_edge>& places) {
+      std::vector<Svg_line> lines;
+      for(const Svg_edge& place : places)
+        lines.push_back({place.first, place.second});
+      draw_lines(os, lines, color, diameter);
+    });
   }
 
   // closed lines filled with a color, a little beyond their borders so that no gap is seen
@@ -186,6 +233,12 @@ public:
   }
 
 private:
+  // far outside of a window, places are drawn nearer than they are
+  int rounded_to_step(double pixels) const
+  {
+    return static_cast<int>(std::lround((std::min)((std::max)(pixels * m_steps, -1e9), 1e9)));
+  }
+
   double rounded(double pixels) const { return std::lround(pixels * m_steps * 100) / 100.; }
 
   // Relative moves: small numbers, and a minus sign needs no blank before it.
@@ -215,26 +268,11 @@ private:
     }
   }
 
-  Svg_window m_window;
-  double     m_scale, m_height, m_x0, m_y0;
-  int        m_steps = 10;
+  bool   m_is_zoomed;
+  Bbox_2 m_box;
+  double m_scale, m_width, m_height, m_x0, m_y0;
+  int    m_steps = 10;
 };
-
-// a color between those of a table, at `t` between 0 and 1
-inline std::string svg_color(const std::vector<std::array<int, 3>>& table, double t)
-{
-  const double at = (std::min)((std::max)(t, 0.), 1.) * static_cast<double>(table.size() - 1);
-  const std::size_t i = (std::min)(static_cast<std::size_t>(at), table.size() - 2);
-  const double s = at - static_cast<double>(i);
-  static const char* const digits = "0123456789abcdef";
-  std::string color = "#";
-  for(std::size_t c = 0; c < 3; ++c) {
-    const long value = std::lround((1 - s) * table[i][c] + s * table[i + 1][c]);
-    color += digits[value / 16];
-    color += digits[value % 16];
-  }
-  return color;
-}
 
 // a number with blanks between the thousands
 inline std::string svg_count(std::size_t n)

@@ -10,6 +10,8 @@
 #include <CGAL/Anisotropic_mesh_2/View_direction_3.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_lines.h>
 #include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_picture.h>
+
+#include <CGAL/Bbox_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -67,12 +69,15 @@ public:
   {
     std::stable_sort(m_polygons.begin(), m_polygons.end(),
                      [](const Polygon& p, const Polygon& q) { return p.depth < q.depth; });
-    const Svg_picture picture(window(), 0);
+    Bbox_2 box;
+    for(const Polygon& p : m_polygons)
+      box += box_of(p.points);
+    const Svg_picture picture(box);
     std::vector<std::pair<Svg_line, std::string> > areas;
     for(const Polygon& p : m_polygons) {
       areas.emplace_back(Svg_line(), color(p.shade));
       for(const Point& x : p.points)
-        areas.back().first.push_back(picture(x[0], x[1]));
+        areas.back().first.push_back(picture(x));
     }
     picture.write(os, title.empty() ? "Surface" : title, [&](std::ostream& out) {
       picture.draw_outlined_areas(out, areas, "#27364a", line_width(picture.scale()));
@@ -101,15 +106,6 @@ private:
       return std::abs(sum) / 2;
     }
   };
-
-  Svg_window window() const
-  {
-    Svg_window result;
-    for(const Polygon& p : m_polygons)
-      for(const Point& x : p.points)
-        result.add(x[0], x[1]);
-    return result;
-  }
 
   static double product(const Vector& a, const Vector& b) { return a[0]*b[0] + a[1]*b[1] + a[2]*b[2]; }
 
