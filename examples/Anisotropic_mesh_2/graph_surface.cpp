@@ -2,6 +2,7 @@
 // to a class that the algorithms of CGAL work on.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
 #include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_2/Callable_surface_3.h>
 #include <CGAL/Anisotropic_mesh_2/Curvature_metric_3.h>

@@ -30,40 +30,25 @@ using If_marked = std::void_t<decltype(std::declval<const typename Tr::Face&>().
 // The reference that the triangulation itself keeps for an edge; 1 if it keeps none.
 struct Stored_edge_reference {};
 
-template <class Tr, class = void>
-struct Has_edge_reference : std::false_type {};
+template <class Tr>
+auto stored_reference(const Tr& tr, const typename Tr::Edge& e, int) -> decltype(tr.edge_reference(e))
+{ return tr.edge_reference(e); }
 
 template <class Tr>
-struct Has_edge_reference<Tr, std::void_t<decltype(
-    std::declval<const Tr&>().edge_reference(std::declval<typename Tr::Edge>()))>>
-  : std::true_type {};
+int stored_reference(const Tr&, const typename Tr::Edge&, long) { return 1; }
 
-template <class Face, class = void>
-struct Has_subdomain_index : std::false_type {};
-
-template <class Face>
-struct Has_subdomain_index<Face, std::void_t<decltype(std::declval<const Face&>().subdomain_index())>>
-  : std::true_type {};
+template <class Tr>
+int reference_of(const Tr& tr, const typename Tr::Edge& e, Stored_edge_reference) { return stored_reference(tr, e, 0); }
 
 template <class Tr, class EdgeReference>
-int reference_of(const Tr& tr, const typename Tr::Edge& e, const EdgeReference& edge_reference)
-{
-  if constexpr(!std::is_same<EdgeReference, Stored_edge_reference>::value)
-    return edge_reference(e);
-  else if constexpr(Has_edge_reference<Tr>::value)
-    return tr.edge_reference(e);
-  else
-    return 1;
-}
+int reference_of(const Tr&, const typename Tr::Edge& e, const EdgeReference& edge_reference)
+{ return edge_reference(e); }
 
-template <class Face_handle>
-int subdomain_of(Face_handle f)
-{
-  if constexpr(Has_subdomain_index<std::decay_t<decltype(*f)>>::value)
-    return f->subdomain_index();
-  else
-    return 0;
-}
+template <class Face>
+auto subdomain_of(const Face& f, int) -> decltype(f.subdomain_index()) { return f.subdomain_index(); }
+
+template <class Face>
+int subdomain_of(const Face&, long) { return 0; }
 
 // The vertices of the faces of the domain, in the order of the triangulation,
 // and the position of each.
@@ -132,7 +117,7 @@ Domain_graph domain_graph(const Tr& tr, const EdgeReference& edge_reference = Ed
     if(!f->is_in_domain())
       continue;
     graph.triangles.push_back({vertices[f->vertex(0)], vertices[f->vertex(1)], vertices[f->vertex(2)]});
-    graph.triangle_references.push_back(subdomain_of(f));
+    graph.triangle_references.push_back(subdomain_of(*f, 0));
   }
   add_edges_of_domain(tr, edge_reference, vertices, graph);
   return graph;

@@ -92,7 +92,7 @@ inline std::map<int, std::size_t> colors_of_references(std::vector<std::pair<std
     reference.second = n++;
   std::vector<std::vector<std::size_t> > adjacent(n);
   for(std::size_t first = 0, i = 0; i < uses.size(); ++i) {
-    for(; uses[first].first != uses[i].first;)
+    while(uses[first].first != uses[i].first)
       ++first;
     for(std::size_t j = first; j < i; ++j) {
       adjacent[number[uses[i].second]].push_back(number[uses[j].second]);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <ostream>
 #include <string>
@@ -78,8 +79,9 @@ private:
         m_edges.push_back(Edge{(std::min)(a, b), (std::max)(a, b), room(a, b, t[(i + 2) % 3]), 1, 0, false});
       }
     for(const auto& e : m_graph.edges)
-      m_edges.push_back(Edge{(std::min)(e.source, e.target), (std::max)(e.source, e.target), 1e300, 0, e.reference, true});
-    std::stable_sort(m_edges.begin(), m_edges.end());
+      m_edges.push_back(Edge{(std::min)(e.source, e.target), (std::max)(e.source, e.target), 1e300, 0,
+                             e.reference, true});
+    std::sort(m_edges.begin(), m_edges.end());
     std::size_t n = 0;
     for(const Edge& e : m_edges)
       if(n > 0 && !(m_edges[n - 1] < e)) {
@@ -116,7 +118,8 @@ private:
     return result;
   }
 
-  // Edges get colors by their references where these differ along the boundary or among the inner constraints.
+  // Subdomains get colors if there are several, edges if references differ along the boundary or among the inner
+  // constraints.
   void choose_colors()
   {
     std::map<bool, int> first; // reference of an inner edge and of an edge of the boundary
@@ -130,9 +133,12 @@ private:
     if(differ)
       m_edge_colors = colors_of_references(std::move(uses));
     uses.clear();
-    for(std::size_t i = 0; i < m_graph.triangles.size(); ++i)
+    const std::vector<int>& subdomains = m_graph.triangle_references;
+    if(std::adjacent_find(subdomains.begin(), subdomains.end(), std::not_equal_to<int>()) == subdomains.end())
+      return;
+    for(std::size_t i = 0; i < subdomains.size(); ++i)
       for(std::size_t v : m_graph.triangles[i])
-        uses.emplace_back(v, m_graph.triangle_references[i]);
+        uses.emplace_back(v, subdomains[i]);
     m_subdomain_colors = colors_of_references(std::move(uses));
   }
 
@@ -158,7 +164,7 @@ private:
   {
     if(!m_qualities.empty())
       return quality_color(subdomain_or_class);
-    return m_subdomain_colors.size() == 1 ? "#e9f0f7" : name_of(soft_color(m_subdomain_colors.at(subdomain_or_class)));
+    return m_subdomain_colors.empty() ? "#e9f0f7" : name_of(soft_color(m_subdomain_colors.at(subdomain_or_class)));
   }
 
   // the sides that do not have a side in opposite direction

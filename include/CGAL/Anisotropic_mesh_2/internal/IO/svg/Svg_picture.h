@@ -118,8 +118,10 @@ public:
   // whether something of the line, of the edge or of the area can be seen
   bool shows(const Svg_line& line) const
   {
-    return !m_is_zoomed || CGAL::do_overlap(box_of(line), Bbox_2(m_x0 * m_steps, m_y0 * m_steps,
-                                                                 (m_x0 + m_width) * m_steps, (m_y0 + m_height) * m_steps));
+    const auto window = [this] {
+      return Bbox_2(m_x0 * m_steps, m_y0 * m_steps, (m_x0 + m_width) * m_steps, (m_y0 + m_height) * m_steps);
+    };
+    return !m_is_zoomed || CGAL::do_overlap(box_of(line), window());
   }
   bool shows(const Svg_edge& edge) const { return !m_is_zoomed || shows(Svg_line{edge.first, edge.second}); }
 
@@ -138,7 +140,8 @@ public:
     out << "<g transform=\"scale(" << 1. / m_steps << ")\" fill=\"none\" stroke-linecap=\"round\""
         << " stroke-linejoin=\"round\">\n";
     draw(out);
-    out << (m_is_zoomed ? "</g>\n</svg>\n" : "</g>\n") << "<g font-family=\"Helvetica,Arial,sans-serif\" font-size=\"13\" fill=\"#44525f\">\n";
+    out << (m_is_zoomed ? "</g>\n</svg>\n" : "</g>\n")
+        << "<g font-family=\"Helvetica,Arial,sans-serif\" font-size=\"13\" fill=\"#44525f\">\n";
     annotate(out);
     out << "</g>\n</svg>\n";
     os << out.str();
@@ -161,9 +164,8 @@ public:
   {
     if(lines.empty())
       return;
-    os << "<path stroke=\"" << color << "\" stroke-width=\"" << rounded(line_width) << "\" d=\"";
+    os << "<path stroke=\"" << color << "\" stroke-width=\"" << rounded(line_width) << '"';
     write_path(os, lines, "");
-    os << "\"/>\n";
   }
 
   // edges, joined to lines; with `as_one`, points on straight lines are left out
@@ -201,9 +203,8 @@ public:
     if(lines.empty())
       return;
     os << "<path fill=\"" << color << "\" stroke=\"" << color << "\" stroke-width=\""
-       << rounded(line_width) << "\" d=\"";
+       << rounded(line_width) << '"';
     write_path(os, lines, "z");
-    os << "\"/>\n";
   }
 
   // closed lines with outlines of a color, each filled with its own; later ones hide earlier ones
@@ -212,9 +213,8 @@ public:
   {
     os << "<g stroke=\"" << color << "\" stroke-width=\"" << rounded(line_width) << "\">\n";
     for(const auto& area : areas) {
-      os << "<path fill=\"" << area.second << "\" d=\"";
+      os << "<path fill=\"" << area.second << '"';
       write_path(os, {area.first}, "z");
-      os << "\"/>\n";
     }
     os << "</g>\n";
   }
@@ -239,33 +239,27 @@ private:
     return static_cast<int>(std::lround((std::min)((std::max)(pixels * m_steps, -1e9), 1e9)));
   }
 
-  double rounded(double pixels) const { return std::lround(pixels * m_steps * 100) / 100.; }
+  double rounded(double pixels) const { return std::round(pixels * m_steps * 100) / 100; }
 
-  // Relative moves: small numbers, and a minus sign needs no blank before it.
+  // The end of a tag: relative moves, as these are small numbers, and a minus sign needs no blank before it.
   static void write_path(std::ostream& os, const std::vector<Svg_line>& lines, const char* ending)
   {
     Text_writer out(os);
+    out << " d=\"";
     Svg_point at = {0, 0};
     for(const Svg_line& line : lines) {
-      const bool is_dot = line.size() == 2 && line[0] == line[1];
-      const bool is_closed = *ending != 0;
-      char command = 'm';
-      const std::size_t size = line.size() - (is_closed && line.front() == line.back() ? 1 : 0);
+      const bool is_dot = line.size() == 2 && line[0] == line[1], is_closed = *ending != 0;
+      const std::size_t size = line.size() - (is_dot || (is_closed && line.front() == line.back()) ? 1 : 0);
       for(std::size_t i = 0; i < size; ++i) {
         const int dx = line[i][0] - at[0], dy = line[i][1] - at[1];
-        out << (command == 0 && dx >= 0 ? " " : "");
-        if(command != 0)
-          out << command;
-        out << dx << (dy >= 0 ? " " : "") << dy;
-        command = i == 0 ? 'l' : char(0);
+        out << (i == 0 ? "m" : i == 1 ? "l" : dx >= 0 ? " " : "") << dx << (dy >= 0 ? " " : "") << dy;
         at = line[i];
-        if(is_dot)
-          break;
       }
       out << (is_dot ? "h0" : ending);
       if(is_closed)
         at = line.front();
     }
+    out << "\"/>\n";
   }
 
   bool   m_is_zoomed;

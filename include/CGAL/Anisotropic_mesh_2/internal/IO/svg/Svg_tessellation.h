@@ -191,9 +191,10 @@ private:
       for(const Line& boundary : piece.boundaries)
         if(const Svg_line area = line(boundary, true); m_picture.shows(area))
           areas[{m_colors[piece.region], !piece.is_main}].push_back(area);
-    for(const auto& c : areas)
-      m_picture.draw_areas(os, c.second, name_of(c.first.second ? mixed(strong_color(c.first.first), {255, 255, 255}, 0.25)
-                                                                : soft_color(c.first.first)), 0.3);
+    for(const auto& c : areas) {
+      const Svg_color strong = strong_color(c.first.first);
+      m_picture.draw_areas(os, c.second, name_of(mixed(strong, {255, 255, 255}, c.first.second ? 0.25 : 0.75)), 0.3);
+    }
   }
 
   void draw_bisectors(std::ostream& os) const
