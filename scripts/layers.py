@@ -17,7 +17,7 @@ import textwrap
 from pathlib import Path
 
 LAYERS = {
-    "base": """Anisotropic_mesh_2/parameters Anisotropic_mesh_2/Measure
+    "base": """license/Anisotropic_mesh_2 Anisotropic_mesh_2/parameters Anisotropic_mesh_2/Measure
         Anisotropic_mesh_2/Domain_rule Anisotropic_mesh_2/Planar_straight_line_graph_2
         Anisotropic_mesh_2/exceptions""",
     "metric": """Metric_tensor_2 Metric_tensor_3 Riemannian_metric_traits_2 Constant_metric_field_2

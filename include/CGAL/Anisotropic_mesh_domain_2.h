@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_DOMAIN_2_H
 #define CGAL_ANISOTROPIC_MESH_DOMAIN_2_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <CGAL/Anisotropic_mesh_2/Curve_piece_2.h>
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>

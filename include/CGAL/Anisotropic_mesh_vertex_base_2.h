@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_VERTEX_BASE_2_H
 #define CGAL_ANISOTROPIC_MESH_VERTEX_BASE_2_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <CGAL/Triangulation_vertex_base_2.h>
 
 namespace CGAL {

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_SURFACE_MESH_3_H
 #define CGAL_ANISOTROPIC_SURFACE_MESH_3_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Directed_edges.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_MEASURE_H
 #define CGAL_ANISOTROPIC_MESH_2_MEASURE_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 namespace CGAL::Anisotropic_mesh_2 {
 
 /// \ingroup PkgAnisotropicMesh2Enums

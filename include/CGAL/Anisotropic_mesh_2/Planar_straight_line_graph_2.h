@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
 #define CGAL_ANISOTROPIC_MESH_2_PLANAR_STRAIGHT_LINE_GRAPH_2_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_EXCEPTIONS_H
 #define CGAL_ANISOTROPIC_MESH_2_EXCEPTIONS_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 
 #include <cstddef>

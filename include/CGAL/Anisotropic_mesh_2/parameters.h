@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_PARAMETERS_H
 #define CGAL_ANISOTROPIC_MESH_2_PARAMETERS_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <CGAL/Anisotropic_mesh_2/internal/base/compatibility.h>
 
 #include <CGAL/Named_function_parameters.h>

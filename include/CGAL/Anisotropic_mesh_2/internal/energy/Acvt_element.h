@@ -80,8 +80,8 @@ struct Acvt_element
   {
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      const Vector_of_doubles middle = {(corner[j].x + corner[k].x) / 2, (corner[j].y + corner[k].y) / 2};
-      bend[i] = tensor_at(middle).weighted;
+      bend[i] = tensor_at(Vector_of_doubles{(corner[j].x + corner[k].x) / 2,
+                                            (corner[j].y + corner[k].y) / 2}).weighted;
       bend[i] += (-0.5) * (tensor[j].weighted + tensor[k].weighted);
     }
   }

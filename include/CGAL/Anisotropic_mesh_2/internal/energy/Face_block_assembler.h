@@ -165,11 +165,12 @@ private:
       middle[i] = {(p.x + q.x) / 2, (p.y + q.y) / 2};
       tensor[i] = tensor_at(middle[i]);
     }
-    const auto add_part = [&](const std::array<Vector_of_doubles, 3>& corner, const std::array<Weighted_tensor, 3>& tensor)
+    const auto add_part = [&](const std::array<Vector_of_doubles, 3>& corner,
+                              const std::array<Weighted_tensor, 3>& tensors)
     {
       Acvt_element part;
       part.corner = corner;
-      part.tensor = tensor;
+      part.tensor = tensors;
       part.middle = tensor_at(part.barycentre());
       return add_refined(part, generators, depth - 1, couplings);
     };

@@ -23,7 +23,7 @@ struct Symmetric_form
   double a = 0, b = 0, c = 0; // rows (a, b) and (b, c)
 
   Symmetric_form() {}
-  Symmetric_form(double a, double b, double c) : a(a), b(b), c(c) {}
+  Symmetric_form(double m11, double m12, double m22) : a(m11), b(m12), c(m22) {}
 
   template <class K>
   explicit Symmetric_form(const Metric_tensor_2<K>& m)
