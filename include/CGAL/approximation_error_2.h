@@ -7,6 +7,8 @@
 #ifndef CGAL_APPROXIMATION_ERROR_2_H
 #define CGAL_APPROXIMATION_ERROR_2_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <CGAL/Anisotropic_mesh_2/internal/base/Adaptive_triangle_integral.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 

@@ -239,7 +239,8 @@ def test_outputs(t):
         root = ElementTree.parse(os.path.join(t.directory, name)).getroot()
         t.check(root.tag.endswith("svg") and len(list(root.iter())) > 2, f"{name}: {root.tag}")
 
-    t.run("builtin:parallelogram", "--optimizer", "none", "-o", "w.svg", "--voronoi", "v.svg", "--window", "-0.1,0,0.2,0.1")
+    t.run("builtin:parallelogram", "--optimizer", "none", "-o", "w.svg", "--voronoi", "v.svg",
+          "--window", "-0.1,0,0.2,0.1")
     for whole, part in (("a.svg", "w.svg"), ("cells.svg", "v.svg")):
         t.check("<svg x=" in t.read(part) and len(t.read(part)) < len(t.read(whole)), f"a window in {part}")
     t.refuse(["--window", "XMIN < XMAX"], "builtin:disc", "-o", "a.svg", "--window", "1,1,0,0")

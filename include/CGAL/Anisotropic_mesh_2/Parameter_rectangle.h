@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_PARAMETER_RECTANGLE_H
 #define CGAL_ANISOTROPIC_MESH_2_PARAMETER_RECTANGLE_H
 
+#include <CGAL/license/Anisotropic_mesh_2.h>
+
 #include <cmath>
 
 namespace CGAL::Anisotropic_mesh_2 {
