@@ -132,7 +132,7 @@ void declare_output(CLI::App& app, Options& options, Raw_options& raw)
                  "statistics, - for standard output, which is the default if no output is asked for")
     ->type_name("FILE.json")->group(group);
   app.add_flag("--quiet", raw.quiet, "no progress on standard error")->group(group);
-  app.add_flag("--verbose", raw.verbose, "progress on standard error even if it is no terminal")
+  app.add_flag("--verbose", raw.verbose, "progress on standard error even if it is not a terminal")
     ->group(group);
 }
 

@@ -67,7 +67,7 @@ public:
                                         Anisotropic_mesh_vertex_base_2<Gt>,
                                         Anisotropic_mesh_face_base_2<Gt> > >::type  Tds;
 #endif
-  /// the base class: the triangulation that knows of no domain.
+  /// the base class: the triangulation, without a domain.
   typedef Constrained_anisotropic_Delaunay_triangulation_2<Gt, Tds>               Triangulation_kernel;
 
   typedef typename Gt::Kernel                            Kernel;          ///< that of the traits
@@ -159,7 +159,7 @@ public:
     return result;
   }
 
-  /// exchanges the two meshes, with their traits and all they know of the domain.
+  /// exchanges the two meshes, with their traits and their domains.
   void swap(Anisotropic_Delaunay_mesh_2& other)
   {
     Triangulation_kernel::swap(other);
@@ -209,7 +209,7 @@ public:
   }
 
   /// decides for every face whether it belongs to the domain, and to which
-  /// subdomain. To be called after constraints came or went; insertion, removal
+  /// subdomain. To be called after constraints were added or removed; insertion, removal
   /// and relocation of vertices keep the marks. The domain is bounded by what `insert_boundary()` has been given
   /// as a boundary; other constraints divide it into subdomains. Takes time linear in the number of faces.
   void mark_domain()

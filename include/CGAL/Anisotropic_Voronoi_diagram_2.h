@@ -52,7 +52,7 @@ namespace CGAL {
 /// metric that escape all these samples are not seen, and below the tolerance
 /// nothing is resolved: tips of regions that are narrower may be taken for
 /// orphans. In the wildest metrics the bisection ends early, at 200000 vertices
-/// and 200 more per generator. All is computed in `double`, whatever the kernel.
+/// and 200 more per generator. Everything is computed in `double`, whatever the kernel.
 ///
 /// For a smooth metric and a mesh of good quality, the construction takes
 /// \f$ O(n \log n) \f$ time with a few evaluations of the field per face.
@@ -136,7 +136,8 @@ public:
   /// the index of the region to which `p` belongs, the least one if there are
   /// several; decided by the distances to the generators alone, without the regions.
   /// \pre `number_of_regions() > 0`
-  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the distance is measured at points and the field
+  /// fails at `p`.
   std::size_t nearest_generator(const Point_2& p) const
   {
     CGAL_precondition(number_of_regions() > 0);
@@ -144,7 +145,8 @@ public:
   }
 
   /// the squared distance from `p` to the generator of region `i`.
-  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the distance is measured at points and the field fails at `p`.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the distance is measured at points and the field
+  /// fails at `p`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
     return m_generators.set().squared_distance(place_at(p), i);

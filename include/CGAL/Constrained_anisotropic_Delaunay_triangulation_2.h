@@ -44,7 +44,7 @@ namespace CGAL {
 /// Where the traits decide exactly, a cavity is star-shaped by itself; where
 /// they do not, faces that the point does not see are left out of it.
 ///
-/// Members of the base class that are not listed here, such as `locate()`, ranges and circulators, are as there.
+/// Members of the base class that are not listed here, such as `locate()`, ranges and circulators, are unchanged.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Tds_ a model of `TriangulationDataStructure_2` whose vertices model
@@ -128,7 +128,7 @@ public:
   /// \name Insertion and Removal
   /// @{
 
-  /// inserts `p` and returns its vertex, which is the old one where `p` stands already.
+  /// inserts `p` and returns its vertex, which is an old one if there is one at `p`.
   /// The search for `p` starts at `start`.
   ///
   /// The cost is that of the location plus the size of the cavity, on average constant.
@@ -237,7 +237,7 @@ public:
 
   /// moves `v` to `p`; if another vertex stands there, `v` is removed.
   /// \return the vertex at `p`.
-  /// \pre as of `move_if_no_collision()`, and `v` ends no constrained edge if another vertex stands at `p`.
+  /// \pre as for `move_if_no_collision()`, and `v` ends no constrained edge if another vertex stands at `p`.
   Vertex_handle move(Vertex_handle v, const Point& p)
   {
     const Vertex_handle w = move_if_no_collision(v, p);
@@ -263,8 +263,9 @@ public:
   }
 
   /// inserts the points of a range in the order of `spatial_sort()` and returns
-  /// how many vertices came in addition. Takes \f$ O(n \log n) \f$ time on average.
-  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point; the points before it
+  /// the number of vertices added. Takes \f$ O(n \log n) \f$ time on average.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point; the
+  /// points before it
   /// are inserted.
   /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
@@ -468,8 +469,8 @@ public:
   /// might go around in a circle; therefore, after a number of flips
   /// proportional to that of the edges, each must also raise the smallest angle
   /// of the two faces, measured in the mean of the tensors of the vertices of each;
-  /// and since rounding errors may make even angles rise in a circle, there is a
-  /// last one after many more.
+  /// and since rounding errors may let even angles rise endlessly, all flips end after
+  /// a fixed multiple of that number.
   /// \return the number of flips.
   size_type restore_local_criterion(std::vector<Edge> edges)
   {

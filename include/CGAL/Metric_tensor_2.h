@@ -98,7 +98,8 @@ public:
   }
 
   /// the isotropic tensor of size `h`.
-  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if `h` is not positive or not finite, or if the entries overflow.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if `h` is not positive or not finite, or if the
+  /// entries overflow.
   static Metric_tensor_2 from_size(const FT& h)
   {
     if(!is_size(h))
@@ -107,7 +108,8 @@ public:
   }
 
   /// the tensor whose matrix logarithm has the entries `l`, in the order of `logarithm()`.
-  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if an entry is not finite, or if the determinant leaves the range of
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if an entry is not finite, or if the determinant
+  /// leaves the range of
   /// numbers.
   static Metric_tensor_2 from_logarithm(const std::array<double, 3>& l)
   {

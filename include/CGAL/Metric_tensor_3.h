@@ -69,7 +69,8 @@ public:
 
   /// the tensor with the given sizes along the given directions.
   /// \pre the directions are orthogonal to each other and have unit length, up to rounding.
-  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if a size is not positive or not finite, or a direction is not finite.
+  /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if a size is not positive or not finite, or a
+  /// direction is not finite.
   static Metric_tensor_3 from_directions(const std::array<Vector_3, 3>& directions, const std::array<FT, 3>& sizes)
   {
     Entries e{FT(0), FT(0), FT(0), FT(0), FT(0), FT(0)};

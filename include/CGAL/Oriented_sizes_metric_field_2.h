@@ -28,7 +28,7 @@ namespace CGAL {
 /// angle of the direction of `h1` in radians. It must be copyable and callable
 /// from several threads.
 /// \cgalModels{MetricField_2}
-/// \sa `make_directional_metric_field_2()`
+/// \sa `make_oriented_sizes_metric_field_2()`
 template <class K, class Sizes>
 class Oriented_sizes_metric_field_2
 {
@@ -58,14 +58,14 @@ private:
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// returns the metric field of the sizes and directions that `sizes(p)` gives;
-/// `K` is to be named, as in `make_directional_metric_field_2<K>(sizes)`.
+/// `K` is to be named, as in `make_oriented_sizes_metric_field_2<K>(sizes)`.
 ///
 /// \tparam K a model of `Kernel`
 /// \tparam Sizes as for `Oriented_sizes_metric_field_2`
 /// \param sizes the sizes and the angle at a point
 /// \return the field
 template <class K, class Sizes>
-Oriented_sizes_metric_field_2<K, Sizes> make_directional_metric_field_2(Sizes sizes)
+Oriented_sizes_metric_field_2<K, Sizes> make_oriented_sizes_metric_field_2(Sizes sizes)
 {
   return Oriented_sizes_metric_field_2<K, Sizes>(std::move(sizes));
 }

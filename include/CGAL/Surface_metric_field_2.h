@@ -29,7 +29,8 @@ namespace CGAL {
 /// \tparam Surface_ a model of `ParametricSurface_3`
 /// \tparam Metric_ a functor, callable from several threads, of a `K::Point_3`
 /// that returns a size (then \f$ M_{3D} = h^{-2} I \f$) or a `Metric_tensor_3<K>`; or of a
-/// `const Surface&` and a `K::Point_2` of parameters that returns such a tensor, like `Anisotropic_mesh_2::Curvature_metric_3`.
+/// `const Surface&` and a `K::Point_2` of parameters that returns such a tensor, like
+/// `Anisotropic_mesh_2::Curvature_metric_3`.
 /// `K` is the kernel of the surface.
 /// \cgalModels{MetricField_2}
 /// \sa `make_surface_metric_field_2()`

@@ -230,11 +230,11 @@ private:
     given.erase(middle, given.end());
   }
 
-  // Vertices on the rim have no whole region in the part.
+  // Vertices on the border have no whole region in the part.
   std::vector<Vertex_handle> free_vertices_given_to(std::size_t k, Part_mesh& part) const
   {
     std::vector<bool> is_on_rim(m_mesh.number_of_vertices(), false);
-    for(const auto& e : part.rim())
+    for(const auto& e : part.border())
       is_on_rim[e[0]] = true; // the target of an edge is the source of another one
     std::vector<Vertex_handle> vertices;
     for(auto v = part.mesh().finite_vertices_begin(); v != part.mesh().finite_vertices_end(); ++v)

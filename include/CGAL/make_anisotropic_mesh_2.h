@@ -23,7 +23,7 @@ namespace CGAL {
 /// generates a unit mesh of a given type, which may have vertex and face bases or traits of the user:
 /// `make_anisotropic_mesh_2<Mesh>(domain, traits)`.
 ///
-/// All else is as for the overload that takes a metric field.
+/// Everything else is as for the overload that takes a metric field.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`, which must be given.
 /// \tparam K the kernel of the domain and the mesh.

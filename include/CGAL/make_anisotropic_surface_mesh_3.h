@@ -46,7 +46,8 @@ namespace CGAL {
 /// (see \ref AnisotropicMesh2NamedParameters)
 ///
 /// \return the mesh.
-/// \throw Anisotropic_mesh_2::Degenerate_parametrization_exception if the surface has no tangent plane at a point of the domain.
+/// \throw Anisotropic_mesh_2::Degenerate_parametrization_exception if the surface has no tangent plane at a point of
+/// the domain.
 /// \throw Anisotropic_mesh_2::Invalid_domain_exception if the domain or the rectangle of parameters is not valid.
 /// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
@@ -92,11 +93,13 @@ make_anisotropic_surface_mesh_3(const Anisotropic_mesh_domain_2<K>& domain, cons
 /// \param np an optional sequence of named parameters, those of the overload for a part of the surface
 ///
 /// \return the mesh, which is closed where the parameters are.
-/// \throw Anisotropic_mesh_2::Degenerate_parametrization_exception if the surface has no tangent plane at a point other than a pole.
+/// \throw Anisotropic_mesh_2::Degenerate_parametrization_exception if the surface has no tangent plane at a point
+/// other than a pole.
 /// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
-/// \throw Anisotropic_mesh_2::Invalid_domain_exception if the rectangle of parameters is not valid, or if the sizes are so large that
-/// somewhere less than three edges would lead around a closed surface.
+/// \throw Anisotropic_mesh_2::Invalid_domain_exception if the rectangle of parameters is not valid, or if the sizes
+/// are so large that
+/// somewhere fewer than three edges would lead around a closed surface.
 template <class ConcurrencyTag = Sequential_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_surface_mesh_3<Field>
 make_anisotropic_surface_mesh_3(const Field& field, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

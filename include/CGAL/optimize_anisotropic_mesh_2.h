@@ -186,7 +186,8 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 ///
 /// Vertices on constrained edges stay where they are.
 ///
-/// The field is evaluated about 40 times per vertex if the metric is mild. Where it changes much within an edge, faces are
+/// The field is evaluated about 40 times per vertex if the metric is mild. Where it changes much within an edge,
+/// faces are
 /// quartered and steps are tried without success: up to 9800 times have been counted.
 ///
 /// \tparam ConcurrencyTag enables sequential or parallel work: `Sequential_tag`, `Parallel_tag` or
@@ -243,7 +244,8 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 ///       their indices stay.}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{whether `measure` is `RIEMANNIAN` and `method` is `QUASI_NEWTON`: with the measure of Lebesgue
-///       the optimum is no unit mesh and has faces of less quality, and these moves would raise its energy by some percent}
+///       the optimum is no unit mesh and has faces of less quality, and these moves would raise its energy by some
+/// percent}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{an object whose member `bool iteration(const Anisotropic_mesh_2::Optimization_state&)`

@@ -29,6 +29,9 @@ namespace CGAL {
 /// that distance allows. Constrained edges stay as they are. The cost is
 /// proportional to the number of vertices, apart from the location of the first ones.
 ///
+/// The distance between vertices ends the insertion. In metrics so rough that distances mean little a cap of
+/// 1000 rounds does, and edges may be left too long.
+///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters
 /// \param mesh the mesh, whose faces know whether they are in the domain.

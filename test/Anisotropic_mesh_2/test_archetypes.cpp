@@ -408,7 +408,7 @@ void test_fields()
   square.add_polyline(Range_archetype<K::Point_2>::make({a, K::Point_2(1, 1), K::Point_2(2, 1)}));
   test_field(square, Metric_field_archetype<K>::make());
   test_field(square, CGAL::make_isotropic_metric_field_2<K>(Size_archetype<K>::make()));
-  test_field(square, CGAL::make_directional_metric_field_2<K>(Sizes_archetype<K>::make()));
+  test_field(square, CGAL::make_oriented_sizes_metric_field_2<K>(Sizes_archetype<K>::make()));
 
   // the chords of the curve lie below it, outside of the domain, but still within the square
   const Piece curve = Piece::parametrized(Curve_archetype<K>::make(), 0, 1);

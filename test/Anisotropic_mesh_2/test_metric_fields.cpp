@@ -58,11 +58,11 @@ void test_callables()
   CHECK(isotropic(Point(1, 0)) == Tensor::from_size(2));
   CHECK_THROWS(isotropic(Point(-1, 3)), Invalid, "the metric of size 0 is not positive definite at the point (-1, 3)");
 
-  const auto of_array = CGAL::make_directional_metric_field_2<Kernel>(
+  const auto of_array = CGAL::make_oriented_sizes_metric_field_2<Kernel>(
     [](const Point& p) { return std::array<double, 3>{p.x(), p.y(), 0.3}; });
-  const auto of_tuple = CGAL::make_directional_metric_field_2<Kernel>(
+  const auto of_tuple = CGAL::make_oriented_sizes_metric_field_2<Kernel>(
     [](const Point& p) { return std::make_tuple(p.x(), p.y(), 0.3); });
-  const auto of_struct = CGAL::make_directional_metric_field_2<Kernel>(
+  const auto of_struct = CGAL::make_oriented_sizes_metric_field_2<Kernel>(
     [](const Point& p) { return Sizes{p.x(), p.y(), 0.3}; });
   CHECK(of_array(Point(1, 2)) == m && of_tuple(Point(1, 2)) == m && of_struct(Point(1, 2)) == m);
   CHECK_THROWS(of_struct(Point(1, -2)), Invalid, "h2 = -2, theta = 0.3 is not positive definite at the point (1, -2)");

@@ -114,7 +114,7 @@ void test_mesh(const Domain& domain, const Field& field)
 void test_fields()
 {
   test_mesh(domain(), CGAL::make_isotropic_metric_field_2<K>([](const Point& p) { return FT(0.5) + p.x() / 8; }));
-  test_mesh(domain(), CGAL::make_directional_metric_field_2<K>([](const Point& p) {
+  test_mesh(domain(), CGAL::make_oriented_sizes_metric_field_2<K>([](const Point& p) {
     return std::array<double, 3>{0.5, 0.5 + CGAL::to_double(p.y()) / 8, 0.5};
   }));
   const auto gradient = CGAL::make_gradient_metric_field_2<K>(

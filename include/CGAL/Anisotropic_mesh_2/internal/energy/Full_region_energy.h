@@ -25,7 +25,7 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 
 // The energy of the tessellation and the moments of the regions from the
 // Voronoi diagram of the vertices, orphans included, by adaptive quadrature; the
-// outlines of the regions are not needed.
+// boundaries of the regions are not needed.
 template <class Mesh, class ConcurrencyTag = Sequential_tag>
 class Full_region_energy
 {

@@ -19,7 +19,7 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // Moves the free vertices of a mesh by inserting them again into the stored
-// empty mesh, as section 4 of the paper has it. Vertices keep what they store,
+// empty mesh, as in section 4 of the paper. Vertices keep what they store,
 // handles do not stay valid.
 template <class Mesh>
 class Vertex_reinserter

@@ -63,7 +63,7 @@ public:
   bool has_face(std::size_t f) const { return m_has_face[f]; }
 
   // the edges that have a face of this part on one side only
-  std::vector<Chart_edge> rim() const
+  std::vector<Chart_edge> border() const
   {
     const Directed_edges edges(m_faces);
     std::vector<Chart_edge> result;
@@ -74,8 +74,8 @@ public:
     return result;
   }
 
-  // Triangulates the vertices; those on the rim are fixed. Returns false if that
-  // cannot be, because lines of the rim cross each other in the chart.
+  // Triangulates the vertices; those on the border are fixed. Returns false if that
+  // cannot be, because lines of the border cross each other in the chart.
   bool triangulate()
   {
     typename Mesh::Boundary_graph boundary = rim_segments();
@@ -125,7 +125,8 @@ private:
   static constexpr double contact = 1e-9; // closer than this share of the smaller extent of parameters, lines touch
 
   // Faces that are wide beyond what the metric resolves may be upside down in a chart other than the one they were
-  // made in, and the sides of a seam that is not glued coincide. The rim must not meet itself there: the part is left
+  // made in, and the sides of a seam that is not glued coincide. The border must not meet itself there: the part is
+  // left
   // without all around such vertices.
   void choose_faces()
   {
@@ -158,10 +159,10 @@ private:
     }
   }
 
-  // the ends of the edges of the rim that touch another one which has no vertex in common
+  // the ends of the edges of the border that touch another one which has no vertex in common
   std::vector<std::size_t> vertices_where_rim_meets_itself() const
   {
-    const std::vector<Chart_edge> edges = rim();
+    const std::vector<Chart_edge> edges = border();
     const Parameter_rectangle r = m_surface_mesh.field().surface().parameters();
     const double reach = contact * (std::min)(r.u_extent(), r.v_extent());
     const auto segment = [&](const Chart_edge& e) { return Segment_2(point(e[0]), point(e[1])); };
@@ -216,7 +217,7 @@ private:
   typename Mesh::Boundary_graph rim_segments()
   {
     typename Mesh::Boundary_graph boundary;
-    for(const Chart_edge& e : rim())
+    for(const Chart_edge& e : border())
       boundary.segments.push_back({place(e[0], boundary), place(e[1], boundary), 1, true});
     return boundary;
   }

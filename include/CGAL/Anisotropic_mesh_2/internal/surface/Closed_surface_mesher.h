@@ -74,7 +74,7 @@ public:
       mesh_loop(Chart::cap(m_surface_mesh.field(), false), {around_pole(top, false)});
     if(!Directed_edges(m_faces).are_simple())
       throw Invalid_domain_exception("the sizes are too large for a closed mesh of the surface: "
-                                     "less than three edges would lead once around it");
+                                     "fewer than three edges would lead once around it");
     m_surface_mesh.replace_faces(std::move(m_faces));
   }
 

@@ -67,7 +67,7 @@ private:
     for(const Face& f : part.faces())
       for(std::size_t v : f)
         depths[v] = far;
-    for(const auto& e : part.rim())
+    for(const auto& e : part.border())
       if(edges.contains(e[1], e[0])) // the mesh goes on beyond
         depths[e[0]] = depths[e[1]] = 0;
     for(int sweep = 0; sweep < far; ++sweep)
