@@ -25,7 +25,7 @@ namespace {
 namespace internal = CGAL::Anisotropic_mesh_2::internal;
 using CGAL::Anisotropic_mesh_2::Measure;
 using CGAL::Anisotropic_mesh_2::Optimization_state;
-using internal::Vectors;
+typedef std::vector<double> Array; // of coordinates
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel K;
 typedef K::Point_2                                          Point;
@@ -103,10 +103,9 @@ States fixed_point_iteration(Mesh mesh, Step step)
     state.energy = energy(moments);
     ++state.evaluations;
     states.push_back(state);
-    Vectors pulls(mover.free_vertices().size());
-    for(std::size_t i = 0; i < pulls.size(); ++i)
-      moments[mover.free_vertices()[i]->index()].pull(pulls[i].x, pulls[i].y);
-    Vectors target = mover.positions();
+    Array target = mover.free_vertices().positions(), pulls(target.size());
+    for(std::size_t i = 0; i < mover.free_vertices().size(); ++i)
+      moments[mover.free_vertices()[i]->index()].pull(pulls[2*i], pulls[2*i + 1]);
     step(target, pulls);
     mover.move_to(target);
   }
@@ -115,7 +114,7 @@ States fixed_point_iteration(Mesh mesh, Step step)
 
 States over_relaxed(const Mesh& mesh)
 {
-  return fixed_point_iteration(mesh, [](Vectors& x, const Vectors& pulls) {
+  return fixed_point_iteration(mesh, [](Array& x, const Array& pulls) {
     internal::add_multiple<CGAL::Sequential_tag>(x, 1.8, pulls);
   });
 }
@@ -124,15 +123,10 @@ States over_relaxed(const Mesh& mesh)
 class Anderson
 {
 public:
-  void operator()(Vectors& x, const Vectors& pulls)
+  void operator()(Array& x, const Array& pulls)
   {
-    Eigen::VectorXd f(2 * pulls.size()), g(2 * pulls.size());
-    for(std::size_t i = 0; i < pulls.size(); ++i) {
-      f[2*i] = pulls[i].x;
-      f[2*i + 1] = pulls[i].y;
-      g[2*i] = x[i].x + pulls[i].x;
-      g[2*i + 1] = x[i].y + pulls[i].y;
-    }
+    const Eigen::VectorXd f = Eigen::Map<const Eigen::VectorXd>(pulls.data(), pulls.size());
+    const Eigen::VectorXd g = Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) + f;
     if(m_last_f.size() > 0) {
       m_df.push_back(f - m_last_f);
       m_dg.push_back(g - m_last_g);
@@ -143,9 +137,7 @@ public:
     }
     m_last_f = f;
     m_last_g = g;
-    const Eigen::VectorXd next = g - correction(f);
-    for(std::size_t i = 0; i < pulls.size(); ++i)
-      x[i] = {next[2*i], next[2*i + 1]};
+    Eigen::Map<Eigen::VectorXd>(x.data(), x.size()) = g - correction(f);
   }
 
 private:

@@ -11,7 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/Shape_summary.h>
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/write_statistics.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/free_vertices.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Bisector_hessian.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Region_preconditioner.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/vector_operations.h>
 
@@ -42,13 +42,13 @@ struct Stopping_criteria
 template <class ConcurrencyTag, class Energy, class Mover, class Visitor>
 class Acvt_optimizer
 {
+  typedef std::vector<double> Array; // of coordinates, as `Free_vertices` has them
+
 public:
   Acvt_optimizer(Energy& energy, Mover& mover, const Stopping_criteria& criteria, Visitor& visitor)
-    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor), m_precondition(m_free)
+    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor), m_free(mover.free_vertices().indices()), m_precondition(m_free)
   {
     m_timer.start();
-    for(const auto v : mover.free_vertices())
-      m_free.push_back(v->index());
   }
 
   // The iteration of section 4 of the paper: every vertex moves to the mass
@@ -61,11 +61,8 @@ public:
       Mesh_optimization_return_code code;
       if(is_finished(code))
         return code;
-      Vectors target = m_mover.positions();
-      for_each_index<ConcurrencyTag>(target.size(), [&](std::size_t i) {
-        const Vector_of_doubles p = pull(i);
-        target[i] = {target[i].x + p.x, target[i].y + p.y};
-      });
+      Array target = positions();
+      add_multiple<ConcurrencyTag>(target, 1, lloyd_moves());
       m_mover.move_to(target);
       m_state.energy = m_evaluate(m_moments);
       summarize();
@@ -109,31 +106,44 @@ private:
     summarize();
   }
 
-  // from a free vertex to its mass centre
-  Vector_of_doubles pull(std::size_t i) const
+  Array positions() const { return m_mover.free_vertices().positions(); }
+
+  // what f makes of the moments of each region, a vector
+  template <class Function>
+  Array gathered(const Function& f) const
   {
-    Vector_of_doubles p;
-    m_moments[m_free[i]].pull(p.x, p.y);
-    return p;
+    Array result(2 * m_free.size());
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      const Vector_of_doubles v = f(m_moments[m_free[i]]);
+      result[2*i] = v.x;
+      result[2*i + 1] = v.y;
+    });
+    return result;
+  }
+
+  Array gradient() const
+  {
+    return gathered([](const Region_moments& m) { return Vector_of_doubles{-2*m.gx, -2*m.gy}; });
+  }
+
+  // from the free vertices to their mass centres
+  Array lloyd_moves() const
+  {
+    return gathered([](const Region_moments& m) {
+      Vector_of_doubles d;
+      m.pull(d.x, d.y);
+      return d;
+    });
   }
 
   void summarize()
   {
     ++m_state.evaluations;
-    std::vector<double> largest(number_of_chunks(m_free.size()), 0.);
-    m_state.displacement = sum_over<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-      const Vector_of_doubles p = pull(i);
-      largest[i / size_of_chunk] = (std::max)(largest[i / size_of_chunk], metric_length(i, p));
-      return p.x*p.x + p.y*p.y;
-    });
+    const Array moves = lloyd_moves();
+    m_state.displacement = scalar_product<ConcurrencyTag>(moves, moves);
     m_state.largest_move = 0;
-    for(double l : largest)
-      m_state.largest_move = (std::max)(m_state.largest_move, l);
-  }
-
-  double metric_length(std::size_t i, const Vector_of_doubles& v) const
-  {
-    return Symmetric_form(m_mover.free_vertices()[i]->metric_tensor()).length(v.x, v.y);
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      m_state.largest_move = (std::max)(m_state.largest_move, m_mover.free_vertices().metric_length(moves, i));
   }
 
   // whether the visitor lets the optimizer go on
@@ -169,50 +179,39 @@ private:
     return true;
   }
 
-  Vectors gradient() const
+  Array direction(const Array& gradient)
   {
-    Vectors g(m_free.size());
-    for_each_index<ConcurrencyTag>(g.size(), [&](std::size_t i) {
-      const Region_moments& m = m_moments[m_free[i]];
-      g[i] = {-2*m.gx, -2*m.gy};
-    });
-    return g;
-  }
-
-  Vectors direction(const Vectors& gradient)
-  {
-    Vectors d = gradient;
-    m_history.direction(d, [&](Vectors& v) { precondition(v); });
-    for_each_index<ConcurrencyTag>(d.size(), [&](std::size_t i) {
-      const double length = metric_length(i, d[i]);
-      if(length > longest_step)
-        d[i] = {d[i].x * longest_step / length, d[i].y * longest_step / length};
+    Array d = gradient;
+    m_history.direction(d, [&](Array& v) { precondition(v); });
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+      const double length = m_mover.free_vertices().metric_length(d, i);
+      for(std::size_t k = 2*i; k < 2*i + 2 && length > longest_step; ++k)
+        d[k] = d[k] * longest_step / length;
     });
     return d;
   }
 
-  void precondition(Vectors& v)
+  void precondition(Array& v)
   {
     if constexpr(Energy::has_couplings)
       m_precondition(m_moments, m_couplings, v);
     else
-      for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
-        m_moments[m_free[i]].solve(v[i].x / 2, v[i].y / 2, v[i].x, v[i].y);
+      for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
+        m_moments[m_free[i]].solve(v[2*i] / 2, v[2*i + 1] / 2, v[2*i], v[2*i + 1]);
       });
   }
 
   // A step along the quasi-Newton direction, shortened until the energy falls.
   bool descend()
   {
-    Vectors start = m_mover.positions(), old_gradient = gradient();
-    const Vectors d = direction(old_gradient);
+    const Array start = positions(), old_gradient = gradient(), d = direction(old_gradient);
     const double old_energy = m_state.energy, bound = highest_recent_energy();
     const double slope = scalar_product<ConcurrencyTag>(old_gradient, d);
     if(!(slope < 0))
       return false;
     double t = 1;
     for(int trial = 0; trial < maximum_trials; ++trial) {
-      Vectors target = start;
+      Array target = start;
       add_multiple<ConcurrencyTag>(target, t, d);
       m_mover.move_to(target);
       evaluate();
@@ -239,7 +238,7 @@ private:
 
   // Whether the energy has not risen by more than noise while its slope along d
   // has lost a good part of its steepness, so that d has been of use.
-  bool is_level(double old_energy, double old_slope, const Vectors& d) const
+  bool is_level(double old_energy, double old_slope, const Array& d) const
   {
     if(m_state.energy > old_energy * (1 + energy_noise))
       return false;
@@ -257,17 +256,12 @@ private:
     return m_state.iteration > m_iteration_of_lowest + patience;
   }
 
-  // Takes the vectors over, which become the step and the difference of gradients.
-  void remember_step(Vectors& start, Vectors& old_gradient)
+  void remember_step(const Array& start, const Array& old_gradient)
   {
-    const auto& vertices = m_mover.free_vertices();
-    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-      const Vector_of_doubles p = to_doubles(vertices[i]->point());
-      const Region_moments& m = m_moments[m_free[i]];
-      start[i] = {p.x - start[i].x, p.y - start[i].y};
-      old_gradient[i] = {-2*m.gx - old_gradient[i].x, -2*m.gy - old_gradient[i].y};
-    });
-    m_history.add(start, old_gradient);
+    Array step = positions(), change = gradient();
+    add_multiple<ConcurrencyTag>(step, -1, start);
+    add_multiple<ConcurrencyTag>(change, -1, old_gradient);
+    m_history.add(step, change);
   }
 
   // Forgets what was learnt; nothing is left to try if that was nothing.

@@ -7,7 +7,6 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_LBFGS_HISTORY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_LBFGS_HISTORY_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/vector_operations.h>
 
@@ -32,7 +31,7 @@ public:
   bool empty() const { return m_pairs.empty(); }
 
   // Pairs without positive curvature would destroy the definiteness and are dropped.
-  void add(const Vectors& step, const Vectors& gradient_difference)
+  void add(const std::vector<double>& step, const std::vector<double>& gradient_difference)
   {
     const double s = length(step), y = length(gradient_difference);
     const double cosine = scalar_product<ConcurrencyTag>(step, gradient_difference) / (s * y);
@@ -53,53 +52,36 @@ public:
   // Turns a gradient into minus the product with the inverse Hessian, that of
   // the beginning being applied by `precondition`.
   template <class Precondition>
-  void direction(Vectors& v, const Precondition& precondition) const
+  void direction(std::vector<double>& v, const Precondition& precondition) const
   {
     std::vector<double> alpha(m_pairs.size());
     for(std::size_t k = m_pairs.size(); k-- > 0;) {
       const Pair& p = m_pairs[k];
-      alpha[k] = product(p.step, v) / p.cosine;
-      add(v, -alpha[k], p.difference);
+      alpha[k] = scalar_product<ConcurrencyTag>(p.step, v) / p.cosine;
+      add_multiple<ConcurrencyTag>(v, -alpha[k], p.difference);
     }
     precondition(v);
     for(std::size_t k = 0; k < m_pairs.size(); ++k) {
       const Pair& p = m_pairs[k];
-      add(v, p.ratio * alpha[k] - product(p.difference, v) / p.cosine, p.step);
+      const double beta = scalar_product<ConcurrencyTag>(p.difference, v) / p.cosine;
+      add_multiple<ConcurrencyTag>(v, p.ratio * alpha[k] - beta, p.step);
     }
-    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) { v[i] = {-v[i].x, -v[i].y}; });
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) { v[i] = -v[i]; });
   }
 
 private:
-  struct Vector_of_floats { float x, y; };
-  typedef std::vector<Vector_of_floats> Vectors_of_floats;
-
   struct Pair
   {
-    Vectors_of_floats step, difference; // of unit length
+    std::vector<float> step, difference; // of unit length
     double cosine, ratio;               // of the angle and of the lengths of the two
   };
 
-  static double length(const Vectors& v) { return std::sqrt(scalar_product<ConcurrencyTag>(v, v)); }
+  static double length(const std::vector<double>& v) { return std::sqrt(scalar_product<ConcurrencyTag>(v, v)); }
 
-  static void set_to_quotient(Vectors_of_floats& u, const Vectors& v, double divisor)
+  static void set_to_quotient(std::vector<float>& u, const std::vector<double>& v, double divisor)
   {
     u.resize(v.size());
-    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
-      u[i] = {float(v[i].x / divisor), float(v[i].y / divisor)};
-    });
-  }
-
-  static double product(const Vectors_of_floats& u, const Vectors& v)
-  {
-    return sum_over<ConcurrencyTag>(u.size(), [&](std::size_t i) { return u[i].x*v[i].x + u[i].y*v[i].y; });
-  }
-
-  static void add(Vectors& v, double t, const Vectors_of_floats& u)
-  {
-    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) {
-      v[i].x += t*u[i].x;
-      v[i].y += t*u[i].y;
-    });
+    for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) { u[i] = float(v[i] / divisor); });
   }
 
   std::size_t      m_maximum_size;

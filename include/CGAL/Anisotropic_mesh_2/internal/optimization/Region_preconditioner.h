@@ -32,8 +32,8 @@ public:
   // `free` holds the indices of the free vertices; the others do not move.
   Region_preconditioner(const std::vector<int>& free) : m_free(free) {}
 
-  // Replaces g, given by the ranks of the free vertices.
-  void operator()(const std::vector<Region_moments>& moments, Bisector_hessian& couplings, Vectors& g)
+  // Replaces g, an array of the coordinates of the free vertices.
+  void operator()(const std::vector<Region_moments>& moments, Bisector_hessian& couplings, std::vector<double>& g)
   {
     const double centre = (1 + 2*damping) / 2, radius = 0.5, sigma = centre / radius;
     const double length = couplings.unit_of_length(), stiffness = couplings.unit_of_stiffness();
@@ -41,8 +41,10 @@ public:
     m_step.assign(moments.size(), {});
     m_sum.resize(m_free.size());
     for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-      g[i] = scaled(moments[m_free[i]], g[i].x / length, g[i].y / length); // from here on the residual, relative to 2 A
-      m_sum[i] = m_step[m_free[i]] = {float(g[i].x / centre), float(g[i].y / centre)};
+      const Vector_of_doubles r = scaled(moments[m_free[i]], g[2*i] / length, g[2*i + 1] / length);
+      g[2*i] = r.x; // from here on the residual, relative to 2 A
+      g[2*i + 1] = r.y;
+      m_sum[i] = m_step[m_free[i]] = {float(r.x / centre), float(r.y / centre)};
     });
     for(int step = 0; step < steps; ++step) {
       couplings.multiply<ConcurrencyTag>(m_step, m_product);
@@ -51,17 +53,18 @@ public:
         Vector_of_floats& d = m_step[m_free[i]];
         const Vector_of_floats& p = m_product[m_free[i]];
         const Vector_of_doubles q = scaled(moments[m_free[i]], stiffness * p.x, stiffness * p.y);
-        g[i].x += q.x - (1 + damping) * d.x;
-        g[i].y += q.y - (1 + damping) * d.y;
-        d.x = float(next_rho * (rho * d.x + 2/radius * g[i].x));
-        d.y = float(next_rho * (rho * d.y + 2/radius * g[i].y));
+        g[2*i] += q.x - (1 + damping) * d.x;
+        g[2*i + 1] += q.y - (1 + damping) * d.y;
+        d.x = float(next_rho * (rho * d.x + 2/radius * g[2*i]));
+        d.y = float(next_rho * (rho * d.y + 2/radius * g[2*i + 1]));
         m_sum[i].x += d.x;
         m_sum[i].y += d.y;
       });
       rho = next_rho;
     }
     for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-      g[i] = {length * m_sum[i].x, length * m_sum[i].y};
+      g[2*i] = length * m_sum[i].x;
+      g[2*i + 1] = length * m_sum[i].y;
     });
   }
 

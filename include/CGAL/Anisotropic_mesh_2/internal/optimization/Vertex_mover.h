@@ -7,28 +7,15 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/free_vertices.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
-
-template <class Vertex_handle>
-Vectors positions_of(const std::vector<Vertex_handle>& vertices)
-{
-  Vectors result(vertices.size());
-  for(std::size_t i = 0; i < vertices.size(); ++i)
-    result[i] = to_doubles(vertices[i]->point());
-  return result;
-}
 
 // Moves the free vertices of a mesh in place. A vertex whose move would invert
 // a face goes only a part of its way; afterwards the criterion of the
@@ -36,34 +23,31 @@ Vectors positions_of(const std::vector<Vertex_handle>& vertices)
 template <class Mesh, class ConcurrencyTag = Sequential_tag>
 class Vertex_mover
 {
-  typedef typename Mesh::Point           Point;
   typedef typename Mesh::Vertex_handle   Vertex_handle;
   typedef typename Mesh::Face_handle     Face_handle;
+  typedef std::vector<double>            Array; // of coordinates, as `Free_vertices` has them
 
 public:
   explicit Vertex_mover(Mesh& mesh)
-    : m_mesh(mesh), m_free(internal::free_vertices(mesh))
+    : m_mesh(mesh), m_free(mesh)
   {
     faces_in_domain(mesh, m_faces);
   }
 
-  // the vertices that may move, in the order of their indices
-  const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
-
-  Vectors positions() const { return positions_of(m_free); }
+  const Free_vertices<Mesh>& free_vertices() const { return m_free; }
 
   // Moves the free vertices towards `target`; they end there or, where faces
   // would turn over, on the way. Should the field fail, all stay where they are.
-  void move_to(const Vectors& target)
+  void move_to(const Array& target)
   {
-    const Vectors start = positions();
-    place_all(target);
+    const Array start = m_free.positions();
+    m_free.template set_positions<ConcurrencyTag>(target);
     untangle(start, target);
     try {
       evaluate_tensors();
     }
     catch(...) {
-      place_all(start);
+      m_free.template set_positions<ConcurrencyTag>(start);
       throw;
     }
     restore_connectivity<ConcurrencyTag>(m_mesh, m_faces);
@@ -75,7 +59,7 @@ private:
   // Halves, again and again, the moves of the free vertices of inverted faces,
   // until none is left; from some point on the moves are taken back at once.
   // In each round a vertex is shortened, so that there is an end to it.
-  void untangle(const Vectors& start, const Vectors& target)
+  void untangle(const Array& start, const Array& target)
   {
     std::vector<Face_handle> inverted = inverted_faces();
     if(inverted.empty())
@@ -92,8 +76,10 @@ private:
         }
       std::sort(to_shorten.begin(), to_shorten.end());
       to_shorten.erase(std::unique(to_shorten.begin(), to_shorten.end()), to_shorten.end());
-      for(int i : to_shorten)
-        place(m_free[i], start[i], target[i], ++shortened[i]);
+      for(int i : to_shorten) {
+        const double t = ++shortened[i] > halvings ? 0 : 1. / (1 << shortened[i]);
+        m_free[i]->set_point(m_free.point_between(start, target, t, i));
+      }
       inverted = inverted_faces_around(to_shorten);
     }
   }
@@ -128,26 +114,9 @@ private:
     return ranks;
   }
 
-  static void place(Vertex_handle v, const Vector_of_doubles& start, const Vector_of_doubles& target, int times)
-  {
-    if(times > halvings) {
-      v->set_point(point_at<Point>(start.x, start.y));
-      return;
-    }
-    const double t = 1. / (1 << times);
-    v->set_point(point_at<Point>(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y)));
-  }
-
   bool is_inverted(Face_handle f) const
   {
     return m_mesh.orientation(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()) != LEFT_TURN;
-  }
-
-  void place_all(const Vectors& positions)
-  {
-    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-      m_free[i]->set_point(point_at<Point>(positions[i].x, positions[i].y));
-    });
   }
 
   // Sets all tensors or, if the field fails at a vertex, none.
@@ -160,7 +129,7 @@ private:
   }
 
   Mesh& m_mesh;
-  std::vector<Vertex_handle> m_free;
+  Free_vertices<Mesh>        m_free;
   std::vector<Face_handle>   m_faces; // of the domain; flips only change what they hold
   std::vector<typename Mesh::Metric_tensor_2> m_tensors;
 };

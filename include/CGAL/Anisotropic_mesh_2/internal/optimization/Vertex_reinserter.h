@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_REINSERTER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
@@ -27,25 +27,24 @@ class Vertex_reinserter
   typedef typename Mesh::Point           Point;
   typedef typename Mesh::Vertex_handle   Vertex_handle;
   typedef typename Mesh::Face_handle     Face_handle;
+  typedef std::vector<double>            Array; // of coordinates, as `Free_vertices` has them
 
 public:
   explicit Vertex_reinserter(Mesh& mesh)
-    : m_mesh(mesh), m_empty(mesh.empty_mesh()), m_free(internal::free_vertices(mesh))
+    : m_mesh(mesh), m_empty(mesh.empty_mesh()), m_free(mesh)
   {}
 
-  const std::vector<Vertex_handle>& free_vertices() const { return m_free; }
-
-  Vectors positions() const { return positions_of(m_free); }
+  const Free_vertices<Mesh>& free_vertices() const { return m_free; }
 
   // A vertex whose target lies outside of the domain or is taken goes only a
   // part of its way. Should even its old place be taken, all move in place.
-  void move_to(const Vectors& target)
+  void move_to(const Array& target)
   {
-    const Vectors start = positions();
+    const Array start = m_free.positions();
     Mesh next = m_empty;
     Face_handle hint;
     for(std::size_t i : spatial_order(target)) {
-      const Vertex_handle v = insert_on_the_way(next, start[i], target[i], hint);
+      const Vertex_handle v = insert_on_the_way(next, start, target, i, hint);
       if(v == Vertex_handle()) {
         Vertex_mover<Mesh>(m_mesh).move_to(target);
         return;
@@ -56,26 +55,26 @@ public:
     next.set_vertex_index_bound(m_mesh.vertex_index_bound());
     restore_connectivity(next);
     m_mesh.swap(next);
-    m_free = internal::free_vertices(m_mesh);
+    m_free = Free_vertices<Mesh>(m_mesh);
   }
 
 private:
   static constexpr int halvings = 6;
 
-  std::vector<std::size_t> spatial_order(const Vectors& positions) const
+  std::vector<std::size_t> spatial_order(const Array& positions) const
   {
     std::vector<Point> points;
-    for(const Vector_of_doubles& p : positions)
-      points.push_back(point_at<Point>(p.x, p.y));
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      points.push_back(m_free.point(positions, i));
     return internal::spatial_order(points, m_mesh.geom_traits());
   }
 
-  static Vertex_handle insert_on_the_way(Mesh& mesh, const Vector_of_doubles& start,
-                                         const Vector_of_doubles& target, Face_handle hint)
+  static Vertex_handle insert_on_the_way(Mesh& mesh, const Array& start, const Array& target, std::size_t vertex,
+                                         Face_handle hint)
   {
     double t = 1;
     for(int i = 0; i <= halvings; ++i, t = i < halvings ? t / 2 : 0) {
-      const Point p = point_at<Point>(start.x + t * (target.x - start.x), start.y + t * (target.y - start.y));
+      const Point p = Free_vertices<Mesh>::point_between(start, target, t, vertex);
       typename Mesh::Locate_type lt;
       int li;
       const Face_handle f = mesh.locate(p, lt, li, hint);
@@ -91,7 +90,7 @@ private:
 
   Mesh& m_mesh;
   Mesh m_empty;
-  std::vector<Vertex_handle> m_free;
+  Free_vertices<Mesh> m_free;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 the Anisotropic_mesh_2 developers.
+//
+// This file is part of Anisotropic_mesh_2.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_FREE_VERTICES_H
+#define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_FREE_VERTICES_H
+
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Anisotropic_mesh_2::internal {
+
+// The vertices of the domain that end no constrained edge, in the order of their indices.
+template <class Mesh>
+std::vector<typename Mesh::Vertex_handle> free_vertices(const Mesh& mesh)
+{
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  std::vector<bool> is_free(mesh.vertex_index_bound(), true);
+  for(auto f = mesh.all_faces_begin(); f != mesh.all_faces_end(); ++f)
+    for(int i = 0; i < 3; ++i)
+      if(!mesh.is_infinite(f->vertex(i)) && (f->is_constrained(Mesh::ccw(i)) || !f->is_in_domain()))
+        is_free[f->vertex(i)->index()] = false;
+  std::vector<Vertex_handle> result;
+  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
+    if(is_free[v->index()])
+      result.push_back(v);
+  std::sort(result.begin(), result.end(),
+            [](Vertex_handle v, Vertex_handle w) { return v->index() < w->index(); });
+  return result;
+}
+
+// The vertices of a mesh that may move, and their way to and from plain arrays: there, the
+// coordinate k of the i-th vertex is number dimension * i + k.
+template <class Mesh>
+class Free_vertices
+{
+  typedef typename Mesh::Point         Point;
+  typedef typename Mesh::Vertex_handle Vertex_handle;
+  typedef std::vector<double>          Array;
+
+public:
+  static constexpr std::size_t dimension = 2;
+
+  explicit Free_vertices(const Mesh& mesh) : m_handles(free_vertices(mesh)) {}
+
+  std::size_t size() const { return m_handles.size(); }
+  Vertex_handle operator[](std::size_t i) const { return m_handles[i]; }
+
+  std::vector<int> indices() const
+  {
+    std::vector<int> result;
+    for(Vertex_handle v : m_handles)
+      result.push_back(v->index());
+    return result;
+  }
+
+  Array positions() const
+  {
+    Array result;
+    result.reserve(dimension * size());
+    for(Vertex_handle v : m_handles) {
+      result.push_back(CGAL::to_double(v->point().x()));
+      result.push_back(CGAL::to_double(v->point().y()));
+    }
+    return result;
+  }
+
+  // Tensors and faces stay as they are.
+  template <class ConcurrencyTag>
+  void set_positions(const Array& x) const
+  {
+    for_each_index<ConcurrencyTag>(size(), [&](std::size_t i) { m_handles[i]->set_point(point(x, i)); });
+  }
+
+  static Point point(const Array& x, std::size_t i) { return point_at<Point>(x[2*i], x[2*i + 1]); }
+
+  // on the way from x to y, of which it has gone the share t
+  static Point point_between(const Array& x, const Array& y, double t, std::size_t i)
+  {
+    return point_at<Point>(x[2*i] + t * (y[2*i] - x[2*i]), x[2*i + 1] + t * (y[2*i + 1] - x[2*i + 1]));
+  }
+
+  // of the i-th vector of an array, in the tensor of the vertex
+  double metric_length(const Array& v, std::size_t i) const
+  {
+    return Symmetric_form(m_handles[i]->metric_tensor()).length(v[2*i], v[2*i + 1]);
+  }
+
+private:
+  std::vector<Vertex_handle> m_handles;
+};
+
+} // namespace CGAL::Anisotropic_mesh_2::internal
+
+#endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_FREE_VERTICES_H
