@@ -30,7 +30,7 @@ Domain domain_of_file(const std::string& path)
   if(extension_of(path) != ".poly")
     return Domain(CGAL::IO::read_MEDIT<Kernel>(path));
   Domain domain(CGAL::IO::read_POLY<Kernel>(path));
-  domain.set_rule(CGAL::Anisotropic_mesh_2::Domain_rule::SEEDS);
+  domain.set_rule(CGAL::Anisotropic_mesh_2::Domain_rule::FLOOD_FROM_SEEDS);
   return domain;
 }
 

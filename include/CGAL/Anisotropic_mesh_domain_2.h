@@ -26,6 +26,9 @@
 
 namespace CGAL {
 
+template <class Kernel, class Container>
+class Polygon_with_holes_2;
+
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// A domain of the plane, bounded by closed loops of curve pieces, with inner
@@ -116,6 +119,18 @@ public:
       add(Curve_piece::segment(p[i], p[(i+1) % p.size()], reference), Role::BOUNDARY);
   }
 
+  /// adds the outer boundary and the holes of a polygon, as closed loops of segments.
+  /// \param polygon the polygon
+  /// \param reference the reference of the edges on the loops
+  /// \throw Anisotropic_mesh_2::Invalid_domain_exception if a coordinate is not finite.
+  template <class Container>
+  void add_polygon(const Polygon_with_holes_2<K, Container>& polygon, int reference = 1)
+  {
+    add_polygon(polygon.outer_boundary(), reference);
+    for(auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
+      add_polygon(*hole, reference);
+  }
+
   /// adds a closed loop of curve pieces, each of which ends exactly where the
   /// next one starts.
   /// \tparam CurvePieceRange a range of `Anisotropic_mesh_2::Curve_piece_2<K>`
@@ -154,13 +169,13 @@ public:
       add(Curve_piece::segment(p[i-1], p[i], reference), Role::CONSTRAINT);
   }
 
-  /// declares what is around the seed a hole, and sets the rule to `SEEDS`.
+  /// declares what is around the seed a hole, and sets the rule to `FLOOD_FROM_SEEDS`.
   /// \throw Anisotropic_mesh_2::Invalid_domain_exception if a coordinate is not finite.
   void add_hole(const Point_2& seed)
   {
     check_finite(seed, "hole");
     m_holes.push_back(seed);
-    m_rule = Domain_rule::SEEDS;
+    m_rule = Domain_rule::FLOOD_FROM_SEEDS;
   }
 
   /// gives a reference to the subdomain around the seed, that is, to the faces that are reached from it without

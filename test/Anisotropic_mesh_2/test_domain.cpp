@@ -10,6 +10,7 @@
 
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/Polygon_with_holes_2.h>
 
 #include <cmath>
 #include <list>
@@ -192,6 +193,22 @@ void test_bad_boundaries()
   CHECK_THROWS(circles.validate(), Bad, "cross or overlap near");
 }
 
+void test_polygons_of_cgal()
+{
+  const Points outer = square(4), inner = square(1, 1, 1), other = square(0.5, 2.5, 2.5);
+  CGAL::Polygon_with_holes_2<K> polygon(CGAL::Polygon_2<K>(outer.begin(), outer.end()));
+  polygon.add_hole(CGAL::Polygon_2<K>(inner.begin(), inner.end()));
+  polygon.add_hole(CGAL::Polygon_2<K>(other.begin(), other.end()));
+  Domain domain;
+  domain.add_polygon(polygon, 7);
+  const Preparation prepared(domain.pieces(), domain.rule(), domain.holes());
+  double area = 0;
+  for(const auto& t : prepared.triangles())
+    area += CGAL::Anisotropic_mesh_2::internal::area(t);
+  CHECK(std::abs(area - (16 - 1 - 0.25)) < 1e-12);
+  CHECK(prepared.pieces().size() == 12 && prepared.pieces().back().curve.reference() == 7);
+}
+
 void test_seeds()
 {
   Domain domain = polygon(square(4));
@@ -199,7 +216,7 @@ void test_seeds()
   domain.add_polygon(square(0.5, 2.5, 2.5));
   CHECK(count(domain, Role::BOUNDARY) == 12);
   domain.add_hole(Point(1.5, 1.5));
-  CHECK(domain.rule() == Rule::SEEDS);
+  CHECK(domain.rule() == Rule::FLOOD_FROM_SEEDS);
   CHECK(is_valid(domain));
   CHECK(count(domain, Role::BOUNDARY) == 8 && count(domain, Role::CONSTRAINT) == 4);
   domain.add_hole(Point(0.5, 0.5));
@@ -221,7 +238,7 @@ void test_seeds()
   CHECK(is_valid(across));
 
   Domain open;
-  open.set_rule(Rule::SEEDS);
+  open.set_rule(Rule::FLOOD_FROM_SEEDS);
   open.add_loop(std::vector<Piece>{Piece::segment(Point(0, 0), Point(1, 0)), Piece::segment(Point(1, 0), Point(1, 1))});
   CHECK_THROWS(open.validate(), Bad, "the boundary is open at (0, 0)");
 }
@@ -265,6 +282,7 @@ int main()
   test_scales();
   test_inner_curves();
   test_coinciding_pieces();
+  test_polygons_of_cgal();
   test_bad_boundaries();
   test_seeds();
   test_against_is_simple();

@@ -19,7 +19,7 @@ enum class Domain_rule
   EVEN_ODD,
   /// outside is what can be reached from infinity or from the seed of a hole
   /// without crossing any edge (Triangle `.poly` files).
-  SEEDS
+  FLOOD_FROM_SEEDS
 };
 
 } // namespace CGAL::Anisotropic_mesh_2

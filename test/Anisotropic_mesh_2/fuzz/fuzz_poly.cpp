@@ -20,6 +20,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const std::string again = Input_files::directory() / "again.poly";
   CGAL::IO::write_POLY(again, *graph);
   require(are_equal(*graph, CGAL::IO::read_POLY<Kernel>(again)), "the same graph, written and read again");
-  use_as_domain(*graph, Domain_rule::SEEDS);
+  use_as_domain(*graph, Domain_rule::FLOOD_FROM_SEEDS);
   return 0;
 }

@@ -32,7 +32,7 @@ namespace CGAL::IO {
 /// regional attributes are read; attributes of vertices are skipped. Indices
 /// start at 0 or 1, which the index of the first vertex decides. If the file announces no
 /// vertices, they are read from the `.node` file of the same name. The inside
-/// of the domain is that of `Anisotropic_mesh_2::Domain_rule::SEEDS`.
+/// of the domain is that of `Anisotropic_mesh_2::Domain_rule::FLOOD_FROM_SEEDS`.
 ///
 /// \tparam K a model of `Kernel`
 /// \param file the name of the file

@@ -21,7 +21,7 @@ enum class Piece_role
   BOUNDARY,
   CONSTRAINT, // an inner curve
   OPEN_CHAIN, // edges of a graph on no cycle: an inner curve if inside, else a boundary that is open
-  DIVIDER     // inside a divided cycle, or two boundary pieces in one place: an inner curve if inside, else nothing
+  UNDECIDED     // inside a divided cycle, or two boundary pieces in one place: an inner curve if inside, else nothing
 };
 
 template <class K>

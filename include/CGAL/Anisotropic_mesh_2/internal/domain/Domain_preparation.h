@@ -162,7 +162,7 @@ private:
       kept.push_back(Piece{piece.curve, Piece_role::CONSTRAINT, piece.number});
     else if(piece.role == Piece_role::CONSTRAINT)
       refuse(describe(piece) + " lies outside the domain");
-    else if(piece.role != Piece_role::DIVIDER)
+    else if(piece.role != Piece_role::UNDECIDED)
       outside.push_back(piece);
   }
 

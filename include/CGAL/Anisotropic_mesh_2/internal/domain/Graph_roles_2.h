@@ -69,7 +69,7 @@ private:
       while(j < sorted.size() && sorted[j][0] == sorted[i][0] && sorted[j][1] == sorted[i][1])
         ++j;
       for(std::size_t k = i + (j - i) % 2; k < j; ++k)
-        m_roles[sorted[k][2]] = Piece_role::DIVIDER;
+        m_roles[sorted[k][2]] = Piece_role::UNDECIDED;
       if((j - i) % 2 == 1 && sorted[i][0] != sorted[i][1])
         for(int k = 0; k < 2; ++k)
           m_incident[sorted[i][k]].push_back(sorted[i][2]);
@@ -169,7 +169,7 @@ private:
     for(std::size_t v : component)
       for(std::size_t edge : m_incident[v])
         if(outer.count(edge) == 0)
-          m_roles[edge] = Piece_role::DIVIDER;
+          m_roles[edge] = Piece_role::UNDECIDED;
   }
 
   // the edges around the vertex, from the upward direction on

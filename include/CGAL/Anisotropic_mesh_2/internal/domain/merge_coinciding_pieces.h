@@ -68,7 +68,7 @@ std::vector<Domain_piece_2<K> > merge_coinciding_pieces(const std::vector<Domain
     Domain_piece_2<K>& kept = result[*twin];
     const bool is_boundary = piece.role == Piece_role::BOUNDARY;
     if(is_boundary && kept.role == Piece_role::BOUNDARY && rule == Domain_rule::EVEN_ODD)
-      kept.role = Piece_role::DIVIDER;
+      kept.role = Piece_role::UNDECIDED;
     else if(is_boundary || (piece.role == Piece_role::CONSTRAINT && kept.role != Piece_role::BOUNDARY))
       kept = piece;
   }

@@ -7,7 +7,9 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_KERNEL_STAR_CONSISTENCY_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_KERNEL_STAR_CONSISTENCY_2_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Unit_frame.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -33,27 +35,6 @@ bool is_face_of_interest(const Triangulation& t, typename Triangulation::Face_ha
   return !t.is_infinite(f);
 }
 
-// The picture of the plane in which a metric is Euclidean, from a point as origin.
-class Metric_frame
-{
-public:
-  struct Position { double x, y; };
-
-  Metric_frame(double x, double y, const Symmetric_form& m)
-    : m_x(x), m_y(y), m_a(std::sqrt(m.a)), m_b(m.b / m_a), m_c(std::sqrt(m.determinant() / m.a))
-  {}
-
-  template <class Point_2>
-  Position operator()(const Point_2& p) const
-  {
-    const double x = CGAL::to_double(p.x()) - m_x, y = CGAL::to_double(p.y()) - m_y;
-    return {m_a*x + m_b*y, m_c*y};
-  }
-
-private:
-  double m_x, m_y, m_a, m_b, m_c;
-};
-
 // Is the star of a vertex that of the constrained Delaunay triangulation under
 // the tensor of the vertex? From each triangle of the star, the faces are visited
 // whose entry edge cuts the disc around it; none may have a vertex in the disc.
@@ -67,12 +48,11 @@ class Star_consistency_2
   typedef typename Triangulation::Face_handle                         Face_handle;
   typedef typename Triangulation::Vertex_handle                       Vertex_handle;
   typedef typename Triangulation::Geom_traits::Side_of_metric_circle_2  Side;
-  typedef Metric_frame::Position                                    Position;
 
 public:
   Star_consistency_2(const Triangulation& t, Vertex_handle v)
     : m_t(t), m_v(v), m_side(t.geom_traits().side_of_metric_circle_2_object()),
-      m_picture(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()), Symmetric_form(v->metric_tensor()))
+      m_frame(v->point(), Symmetric_form(v->metric_tensor()))
   {}
 
   bool operator()() const
@@ -86,7 +66,7 @@ public:
   }
 
 private:
-  struct Disc { Position centre; double squared_radius; };
+  struct Disc { Vector_of_doubles centre; double squared_radius; };
 
   bool has_empty_disc(Face_handle f) const
   {
@@ -121,30 +101,36 @@ private:
   // with a little more than the true radius
   Disc disc_of(Face_handle f) const
   {
-    const Position a = m_picture(f->vertex(0)->point());
-    const Position b = minus(m_picture(f->vertex(1)->point()), a), c = minus(m_picture(f->vertex(2)->point()), a);
+    const Vector_of_doubles a = at(f->vertex(0));
+    const Vector_of_doubles b = minus(at(f->vertex(1)), a), c = minus(at(f->vertex(2)), a);
     const double bb = dot(b, b), cc = dot(c, c), d = 2 * (b.x*c.y - b.y*c.x);
-    const Position u = {(bb*c.y - cc*b.y) / d, (b.x*cc - c.x*bb) / d};
+    const Vector_of_doubles u = {(bb*c.y - cc*b.y) / d, (b.x*cc - c.x*bb) / d};
     return Disc{{a.x + u.x, a.y + u.y}, dot(u, u) * (1 + 1e-9)};
   }
 
   bool is_cut(const Edge& e, const Disc& disc) const
   {
-    const Position p = minus(m_picture(e.first->vertex(m_t.ccw(e.second))->point()), disc.centre);
-    const Position q = minus(m_picture(e.first->vertex(m_t.cw(e.second))->point()), disc.centre);
-    const Position s = minus(q, p);
+    const Vector_of_doubles p = minus(at(e.first->vertex(m_t.ccw(e.second))), disc.centre);
+    const Vector_of_doubles q = minus(at(e.first->vertex(m_t.cw(e.second))), disc.centre);
+    const Vector_of_doubles s = minus(q, p);
     const double t = (std::min)(1., (std::max)(0., -dot(p, s) / dot(s, s)));
-    const Position nearest = {p.x + t*s.x, p.y + t*s.y};
+    const Vector_of_doubles nearest = {p.x + t*s.x, p.y + t*s.y};
     return !(dot(nearest, nearest) > disc.squared_radius); // true for NaN
   }
 
-  static Position minus(const Position& p, const Position& q) { return {p.x - q.x, p.y - q.y}; }
-  static double dot(const Position& p, const Position& q) { return p.x*q.x + p.y*q.y; }
+  Vector_of_doubles at(Vertex_handle v) const { return m_frame.in_frame(v->point()); }
+
+  static Vector_of_doubles minus(const Vector_of_doubles& p, const Vector_of_doubles& q)
+  {
+    return {p.x - q.x, p.y - q.y};
+  }
+
+  static double dot(const Vector_of_doubles& p, const Vector_of_doubles& q) { return p.x*q.x + p.y*q.y; }
 
   const Triangulation& m_t;
   const Vertex_handle m_v;
   const Side m_side;
-  const Metric_frame m_picture;
+  const Unit_frame m_frame;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

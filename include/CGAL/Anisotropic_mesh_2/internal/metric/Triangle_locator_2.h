@@ -8,7 +8,10 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_TRIANGLE_LOCATOR_2_H
 
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Box_tree.h>
+
 #include <CGAL/assertions.h>
+#include <CGAL/Bbox_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -50,7 +53,8 @@ public:
       throw Invalid_triangle_mesh_exception("the background mesh has no triangles");
     for(std::size_t i = 0; i < triangles.size(); ++i)
       orient(i);
-    build(0, m_triangles.size());
+    m_tree = Box_tree(boxes(), 4);
+    sort_as_in_tree();
     for(const Triangle& t : m_triangles)
       m_corners.push_back({m_points[t[0]], m_points[t[1]], m_points[t[2]]});
   }
@@ -67,45 +71,11 @@ private:
   typedef std::array<double, 2>  Xy;
   typedef std::array<Point_2, 3> Corners;
 
-  struct Box
-  {
-    Xy low, high;
-
-    bool contains(const Xy& q) const
-    {
-      return low[0] <= q[0] && q[0] <= high[0] && low[1] <= q[1] && q[1] <= high[1];
-    }
-
-    void add(const Xy& q)
-    {
-      for(int i = 0; i < 2; ++i) {
-        low[i] = (std::min)(low[i], q[i]);
-        high[i] = (std::max)(high[i], q[i]);
-      }
-    }
-
-    double squared_distance(const Xy& q) const
-    {
-      const double dx = (std::max)({low[0] - q[0], q[0] - high[0], 0.});
-      const double dy = (std::max)({low[1] - q[1], q[1] - high[1], 0.});
-      return dx*dx + dy*dy;
-    }
-  };
-
-  // The first child follows its parent; a leaf has no second.
-  struct Node
-  {
-    Box         box;
-    std::size_t begin, end, second_child;
-  };
-
   struct Candidate
   {
     double squared_distance;
     Place  place;
   };
-
-  static constexpr std::size_t leaf_size = 4, max_depth = 128;
 
   static double largest_coordinate(const Point_2& p)
   {
@@ -150,84 +120,56 @@ private:
       std::swap(t[1], t[2]);
   }
 
-  // Halves the triangles by their centres along the longer side of the box.
-  void build(std::size_t begin, std::size_t end)
+  std::vector<Bbox_2> boxes() const
   {
-    const std::size_t at = m_nodes.size();
-    m_nodes.push_back(Node{box_of(begin, end), begin, end, 0});
-    if(end - begin <= leaf_size)
-      return;
-    const Box& box = m_nodes[at].box;
-    const int axis = box.high[0] - box.low[0] > box.high[1] - box.low[1] ? 0 : 1;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto triangle = [this](std::size_t i) { return m_triangles.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(triangle(begin), triangle(middle), triangle(end),
-                     [this, axis](const Triangle& s, const Triangle& t) { return centre(s, axis) < centre(t, axis); });
-    build(begin, middle);
-    m_nodes[at].second_child = m_nodes.size();
-    build(middle, end);
+    std::vector<Bbox_2> result(m_triangles.size());
+    for(std::size_t i = 0; i < m_triangles.size(); ++i)
+      for(int j = 0; j < 3; ++j) {
+        const Xy p = xy(m_triangles[i], j);
+        result[i] += Bbox_2(p[0], p[1], p[0], p[1]);
+      }
+    return result;
   }
 
-  Box box_of(std::size_t begin, std::size_t end) const
+  void sort_as_in_tree()
   {
-    Box box = {xy(m_triangles[begin], 0), xy(m_triangles[begin], 0)};
-    for(std::size_t i = begin; i < end; ++i)
-      for(int j = 0; j < 3; ++j)
-        box.add(xy(m_triangles[i], j));
-    return box;
+    std::vector<Triangle> sorted;
+    for(std::size_t i : m_tree.order())
+      sorted.push_back(m_triangles[i]);
+    m_triangles.swap(sorted);
   }
 
-  double centre(const Triangle& t, int axis) const
+  static double squared_distance(const Bbox_2& box, const Xy& q)
   {
-    return xy(t, 0)[axis] + xy(t, 1)[axis] + xy(t, 2)[axis];
+    const double dx = (std::max)({box.xmin() - q[0], q[0] - box.xmax(), 0.});
+    const double dy = (std::max)({box.ymin() - q[1], q[1] - box.ymax(), 0.});
+    return dx*dx + dy*dy;
+  }
+
+  static bool contains(const Bbox_2& box, const Xy& q)
+  {
+    return box.xmin() <= q[0] && q[0] <= box.xmax() && box.ymin() <= q[1] && q[1] <= box.ymax();
   }
 
   // the first triangle that holds the point, or else the number of triangles
   std::size_t triangle_at(const Point_2& p, const Xy& q) const
   {
-    std::array<std::size_t, max_depth> stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
-    while(size > 0) {
-      const std::size_t at = stack[--size];
-      const Node& node = m_nodes[at];
-      if(!node.box.contains(q))
-        continue;
-      if(node.second_child > 0) {
-        stack[size++] = node.second_child;
-        stack[size++] = at + 1;
-      } else
-        for(std::size_t i = node.begin; i < node.end; ++i)
-          if(contains(m_corners[i], p))
-            return i;
-    }
-    return m_triangles.size();
+    std::size_t found = m_triangles.size();
+    m_tree.search([&](std::size_t node) { return contains(m_tree.nodes()[node].box, q) ? 0. : 1.; },
+                   [&] { return found == m_triangles.size() ? 0. : -1.; },
+                   [&](std::size_t k) {
+                     if(found == m_triangles.size() && contains(m_corners[k], p))
+                       found = k;
+                   });
+    return found;
   }
 
-  // Visits the nearer boxes first and those only that can hold something
-  // nearer than what was found.
   Place nearest_place(const Xy& q) const
   {
-    std::array<std::size_t, max_depth> stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
     Candidate best = {std::numeric_limits<double>::infinity(), {m_triangles[0], {1, 0, 0}}};
-    while(size > 0 && best.squared_distance > 0) {
-      const std::size_t at = stack[--size];
-      const Node& node = m_nodes[at];
-      if(node.box.squared_distance(q) >= best.squared_distance)
-        continue;
-      if(node.second_child == 0)
-        for(std::size_t i = node.begin; i < node.end; ++i)
-          take_nearer_edge(m_triangles[i], q, best);
-      else {
-        std::size_t near = at + 1, far = node.second_child;
-        if(m_nodes[far].box.squared_distance(q) < m_nodes[near].box.squared_distance(q))
-          std::swap(near, far);
-        stack[size++] = far;
-        stack[size++] = near;
-      }
-    }
+    m_tree.search([&](std::size_t node) { return squared_distance(m_tree.nodes()[node].box, q); },
+                   [&] { return best.squared_distance; },
+                   [&](std::size_t k) { take_nearer_edge(m_triangles[k], q, best); });
     return best.place;
   }
 
@@ -282,8 +224,8 @@ private:
   std::vector<Point_2>  m_points;
   std::vector<Triangle> m_triangles;
   std::vector<Corners>  m_corners; // of the triangles, close together in memory
-  std::vector<Node>     m_nodes;
   double                m_scale;
+  Box_tree              m_tree;    // of the triangles, which have its order
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

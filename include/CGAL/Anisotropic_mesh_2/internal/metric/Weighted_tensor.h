@@ -20,15 +20,12 @@ struct Weighted_tensor
   Symmetric_form m;
   Symmetric_form weighted;
   double determinant = 1;
-  double weighted_area_density = 1; // the root of the determinant of the weighted tensor
 
   Weighted_tensor() {}
   Weighted_tensor(const Symmetric_form& m, bool riemannian)
     : m(m), determinant(m.determinant())
   {
-    const double root = std::sqrt(determinant);
-    weighted = riemannian ? root * m : m;
-    weighted_area_density = riemannian ? determinant : root;
+    weighted = riemannian ? std::sqrt(determinant) * m : m;
   }
 
   // The sum of (e - 1)^2 over the two eigenvalues e of m^-1 n: how far n is from

@@ -8,6 +8,8 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_SURFACE_SURFACE_DIFFERENTIATOR_H
 
 #include <CGAL/Anisotropic_mesh_2/Parameter_rectangle.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/weights_of_five_nodes.h>
+
 #include <CGAL/Origin.h>
 #include <CGAL/number_utils.h>
 
@@ -59,15 +61,10 @@ private:
         here = x - low < step ? 0 : 1;
       else if(!is_periodic && high - x < 2*step)
         here = high - x < step ? 4 : 3;
-      static constexpr double weights[3][5][5] = {
-        { {1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 1, 0}, {0, 0, 0, 0, 1} },
-        { {-25, 48, -36, 16, -3}, {-3, -10, 18, -6, 1}, {1, -8, 0, 8, -1}, {-1, 6, -18, 10, 3}, {3, -16, 36, -48, 25} },
-        { {35, -104, 114, -56, 11}, {11, -20, 6, 4, -1}, {-1, 16, -30, 16, -1}, {-1, 4, 6, -20, 11},
-          {11, -56, 114, -104, 35} } };
       const double scale = order == 0 ? 1 : 1 / (12 * (order == 1 ? step : step*step));
       for(int i = 0; i < 5; ++i) {
         node[i] = x + (i - here) * step;
-        weight[i] = scale * weights[order][here][i];
+        weight[i] = scale * weights_of_five_nodes[order][here][i];
       }
     }
   };

@@ -7,14 +7,16 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_TESSELLATION_GENERATOR_SET_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_TESSELLATION_GENERATOR_SET_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Box_tree.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+
+#include <CGAL/Bbox_2.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -37,11 +39,10 @@ public:
 
   // Distances measured at generators, if `tensors` is not empty.
   Generator_set(Vectors positions, std::vector<Symmetric_form> tensors)
-    : m_positions(std::move(positions)), m_tensors(std::move(tensors)), m_order(m_positions.size())
+    : m_positions(std::move(positions)), m_tensors(std::move(tensors)), m_tree(boxes(m_positions), 8)
   {
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    if(!m_order.empty())
-      build(0, m_order.size());
+    if(is_measured_at_generators())
+      find_least_eigenvalues();
   }
 
   std::size_t size() const { return m_positions.size(); }
@@ -74,7 +75,12 @@ public:
   std::size_t nearest(const Place& p, std::size_t hint = 0) const
   {
     std::pair<double, std::size_t> best(squared_distance(p, hint), hint);
-    search_nearest(0, p, best);
+    m_tree.search([&](std::size_t node) { return squared_distance_to_box(p, node); },
+                  [&] { return best.first; },
+                  [&](std::size_t k) {
+                    const std::size_t i = m_tree.order()[k];
+                    best = (std::min)(best, std::make_pair(squared_distance(p, i), i));
+                  });
     return best.second;
   }
 
@@ -83,56 +89,44 @@ public:
   void within(const Place& p, double reach, double radius, std::vector<std::size_t>& result) const
   {
     result.clear();
-    if(!m_order.empty())
-      search_within(0, p, reach, radius, result);
+    const Symmetric_form m = is_measured_at_generators() ? Symmetric_form(1, 0, 1) : p.m;
+    const auto excess = [&](double squared_distance, double eigenvalue) { // over what is within, or 0
+      const double limit = reach + radius / std::sqrt(eigenvalue);
+      return (std::max)(0., squared_distance - limit * limit);
+    };
+    m_tree.search([&](std::size_t node) {
+                    return excess(squared_distance_to_box(p.at, m, m_tree.nodes()[node].box),
+                                  least_eigenvalue_in(node));
+                  },
+                  [] { return 0.; },
+                  [&](std::size_t k) {
+                    const std::size_t i = m_tree.order()[k];
+                    const double x = m_positions[i].x - p.at.x, y = m_positions[i].y - p.at.y;
+                    if(excess(m(x, y), is_measured_at_generators() ? least_eigenvalue(m_tensors[i]) : 1) <= 0)
+                      result.push_back(i);
+                  });
   }
 
 private:
-  static constexpr std::size_t bucket_size = 8;
-
-  struct Node
+  static std::vector<Bbox_2> boxes(const Vectors& positions)
   {
-    double x_min, x_max, y_min, y_max;
-    double least_eigenvalue; // of the tensors at the generators; 1 if there are none
-    std::size_t begin, end;  // in the order
-    std::size_t second;      // the second child; the first one follows its parent. 0 for a bucket
-  };
-
-  std::size_t build(std::size_t begin, std::size_t end)
-  {
-    const std::size_t index = m_nodes.size();
-    m_nodes.push_back(bound(begin, end));
-    if(end - begin <= bucket_size)
-      return index;
-    const Node& n = m_nodes.back();
-    const bool along_x = n.x_max - n.x_min > n.y_max - n.y_min;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return m_order.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [&](std::size_t i, std::size_t j) {
-      const double u = along_x ? m_positions[i].x : m_positions[i].y;
-      const double v = along_x ? m_positions[j].x : m_positions[j].y;
-      return std::make_pair(u, i) < std::make_pair(v, j);
-    });
-    build(begin, middle);
-    const std::size_t second = build(middle, end);
-    m_nodes[index].second = second;
-    return index;
+    std::vector<Bbox_2> result;
+    for(const Vector_of_doubles& z : positions)
+      result.emplace_back(z.x, z.y, z.x, z.y);
+    return result;
   }
 
-  Node bound(std::size_t begin, std::size_t end) const
+  void find_least_eigenvalues()
   {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Node n = {infinity, -infinity, infinity, -infinity, is_measured_at_generators() ? infinity : 1, begin, end, 0};
-    for(std::size_t k = begin; k < end; ++k) {
-      const std::size_t i = m_order[k];
-      n.x_min = (std::min)(n.x_min, m_positions[i].x);
-      n.x_max = (std::max)(n.x_max, m_positions[i].x);
-      n.y_min = (std::min)(n.y_min, m_positions[i].y);
-      n.y_max = (std::max)(n.y_max, m_positions[i].y);
-      if(is_measured_at_generators())
-        n.least_eigenvalue = (std::min)(n.least_eigenvalue, least_eigenvalue(m_tensors[i]));
-    }
-    return n;
+    const auto& nodes = m_tree.nodes();
+    m_least_eigenvalues.assign(nodes.size(), std::numeric_limits<double>::infinity());
+    for(std::size_t n = nodes.size(); n-- > 0; )
+      if(nodes[n].is_leaf())
+        for(std::size_t k = nodes[n].begin; k < nodes[n].end; ++k)
+          m_least_eigenvalues[n] = (std::min)(m_least_eigenvalues[n],
+                                              least_eigenvalue(m_tensors[m_tree.order()[k]]));
+      else
+        m_least_eigenvalues[n] = (std::min)(m_least_eigenvalues[n + 1], m_least_eigenvalues[nodes[n].second_child]);
   }
 
   static double least_eigenvalue(const Symmetric_form& m)
@@ -141,10 +135,15 @@ private:
     return m.determinant() / greatest;
   }
 
-  // the least squared length from p to a point of the box
-  static double squared_distance_to_box(const Vector_of_doubles& p, const Symmetric_form& m, const Node& n)
+  double least_eigenvalue_in(std::size_t node) const
   {
-    const double x0 = n.x_min - p.x, x1 = n.x_max - p.x, y0 = n.y_min - p.y, y1 = n.y_max - p.y;
+    return is_measured_at_generators() ? m_least_eigenvalues[node] : 1;
+  }
+
+  // the least squared length from p to a point of the box
+  static double squared_distance_to_box(const Vector_of_doubles& p, const Symmetric_form& m, const Bbox_2& box)
+  {
+    const double x0 = box.xmin() - p.x, x1 = box.xmax() - p.x, y0 = box.ymin() - p.y, y1 = box.ymax() - p.y;
     if(x0 <= 0 && x1 >= 0 && y0 <= 0 && y1 >= 0)
       return 0;
     double least = std::numeric_limits<double>::infinity();
@@ -156,55 +155,18 @@ private:
     return least * (1 - 1e-9) - 1e-14 * (m.a * (std::max)(x0*x0, x1*x1) + m.c * (std::max)(y0*y0, y1*y1));
   }
 
-  double squared_distance_to_box(const Place& p, const Node& n) const
+  double squared_distance_to_box(const Place& p, std::size_t node) const
   {
+    const Bbox_2& box = m_tree.nodes()[node].box;
     return is_measured_at_generators()
-      ? squared_distance_to_box(p.at, Symmetric_form(1, 0, 1), n) * n.least_eigenvalue
-      : squared_distance_to_box(p.at, p.m, n);
-  }
-
-  void search_nearest(std::size_t index, const Place& p, std::pair<double, std::size_t>& best) const
-  {
-    const Node& n = m_nodes[index];
-    if(n.second == 0) {
-      for(std::size_t k = n.begin; k < n.end; ++k)
-        best = (std::min)(best, std::make_pair(squared_distance(p, m_order[k]), m_order[k]));
-      return;
-    }
-    std::pair<double, std::size_t> first(squared_distance_to_box(p, m_nodes[index + 1]), index + 1),
-                                   second(squared_distance_to_box(p, m_nodes[n.second]), n.second);
-    if(second < first)
-      std::swap(first, second);
-    if(first.first <= best.first)
-      search_nearest(first.second, p, best);
-    if(second.first <= best.first)
-      search_nearest(second.second, p, best);
-  }
-
-  void search_within(std::size_t index, const Place& p, double reach, double radius,
-                     std::vector<std::size_t>& result) const
-  {
-    const Node& n = m_nodes[index];
-    const Symmetric_form m = is_measured_at_generators() ? Symmetric_form(1, 0, 1) : p.m;
-    const double limit = reach + radius / std::sqrt(n.least_eigenvalue);
-    if(squared_distance_to_box(p.at, m, n) > limit * limit)
-      return;
-    if(n.second != 0) {
-      search_within(index + 1, p, reach, radius, result);
-      search_within(n.second, p, reach, radius, result);
-      return;
-    }
-    for(std::size_t k = n.begin; k < n.end; ++k) {
-      const Vector_of_doubles& z = m_positions[m_order[k]];
-      if(m(z.x - p.at.x, z.y - p.at.y) <= limit * limit)
-        result.push_back(m_order[k]);
-    }
+      ? squared_distance_to_box(p.at, Symmetric_form(1, 0, 1), box) * least_eigenvalue_in(node)
+      : squared_distance_to_box(p.at, p.m, box);
   }
 
   Vectors                     m_positions;
   std::vector<Symmetric_form> m_tensors;
-  std::vector<std::size_t>    m_order; // of the generators in the tree
-  std::vector<Node>           m_nodes;
+  Box_tree                    m_tree;
+  std::vector<double>         m_least_eigenvalues; // of the tensors in each node of the tree
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal
