@@ -10,6 +10,7 @@
 #include <CGAL/Anisotropic_mesh_face_base_2.h>
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/flood.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
 #include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
@@ -17,9 +18,9 @@
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <deque>
-#include <unordered_map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -86,8 +87,6 @@ public:
   /// \cond SKIP_IN_MANUAL
   using Triangulation_kernel::ccw;
   using Triangulation_kernel::cw;
-  using Triangulation_kernel::insert;
-  using Triangulation_kernel::insert_constraint;
   /// \endcond
 
   /// \name Creation
@@ -97,7 +96,8 @@ public:
   explicit Anisotropic_Delaunay_mesh_2(const Gt& gt = Gt()) : Triangulation_kernel(gt) {}
 
   /// inserts the vertices and edges of a boundary mesh, by `spatial_sort()` of its points, and marks the domain.
-  /// The references of its regions are kept for later calls of `mark_domain()`.
+  /// The references of its regions are kept for later calls of `mark_domain()`. Edges that have a reference keep it,
+  /// and of two boundaries on the same edge none is left.
   ///
   /// After a throw the mesh holds a part of the boundary without a domain, to be cleared or assigned to.
   /// \throw Anisotropic_mesh_2::Invalid_domain_exception if edges cross.
@@ -107,10 +107,10 @@ public:
   {
     m_regions = boundary.regions;
     const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
+    Edge_set toggling;
     for(const auto& s : boundary.segments)
-      insert_boundary_segment(vertices[s.source], vertices[s.target],
-                              Edge_mark{s.reference, s.is_boundary});
-    mark_domain();
+      insert_segment(vertices[s.source], vertices[s.target], s.reference, s.is_boundary, toggling);
+    mark_domain(toggling);
   }
   catch(const typename Triangulation_kernel::Intersection_of_constraints_exception&) {
     throw Anisotropic_mesh_2::Invalid_domain_exception
@@ -135,9 +135,8 @@ public:
   Anisotropic_Delaunay_mesh_2 empty_mesh() const
   {
     Anisotropic_Delaunay_mesh_2 result(this->geom_traits());
-    result.m_edge_marks = m_edge_marks;
     result.m_regions = m_regions;
-    std::unordered_map<int, Vertex_handle> copies;
+    std::vector<Vertex_handle> copies(this->vertex_index_bound());
     Vertex_handle last; // not a face, which the next constraint may delete
     const auto copy = [&](Vertex_handle v)
     {
@@ -148,22 +147,29 @@ public:
       }
       return last = c;
     };
-    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
-      for(int i = 0; i < 3; ++i) {
-        const Vertex_handle u = f->vertex(ccw(i)), v = f->vertex(cw(i));
-        if(f->is_constrained(i) && u->index() < v->index())
-          result.insert_constraint(copy(u), copy(v));
-      }
+    for(Vertex_handle v : this->finite_vertex_handles())
+      if(v->is_required())
+        copy(v);
+    Edge_set toggling;
+    for(const Edge& e : this->constrained_edges())
+      result.insert_segment(copy(e.first->vertex(ccw(e.second))), copy(e.first->vertex(cw(e.second))),
+                            edge_reference(e), is_on_boundary(e), toggling);
     result.set_vertex_index_bound(this->vertex_index_bound());
-    result.mark_domain();
+    result.mark_domain(toggling);
     return result;
+  }
+
+  /// removes all vertices, and forgets the domain.
+  void clear()
+  {
+    Triangulation_kernel::clear();
+    m_regions.clear();
   }
 
   /// exchanges the two meshes, with their traits and their domains.
   void swap(Anisotropic_Delaunay_mesh_2& other)
   {
     Triangulation_kernel::swap(other);
-    std::swap(m_edge_marks, other.m_edge_marks);
     std::swap(m_regions, other.m_regions);
   }
   /// @}
@@ -172,11 +178,7 @@ public:
   /// @{
 
   /// the reference of the curve that a constrained edge comes from, and 0 for any other edge.
-  int edge_reference(const Edge& e) const
-  {
-    const auto mark = m_edge_marks.find(key(e));
-    return mark == m_edge_marks.end() ? 0 : mark->second.reference;
-  }
+  int edge_reference(const Edge& e) const { return e.first->edge_reference(e.second); }
 
   /// whether the domain lies on exactly one side of the edge.
   bool is_on_boundary(const Edge& e) const
@@ -184,51 +186,60 @@ public:
     return e.first->is_in_domain() != e.first->neighbor(e.second)->is_in_domain();
   }
 
-  /// whether the vertex is an end point of a constrained edge.
-  bool is_fixed(Vertex_handle v) const { return this->are_there_incident_constraints(v); }
+  /// the faces of the domain, in an order that is the same in every run.
+  std::vector<Face_handle> faces_in_domain() const
+  {
+    std::vector<Face_handle> faces;
+    for(Face_handle f : this->finite_face_handles())
+      if(f->is_in_domain())
+        faces.push_back(f);
+    return faces;
+  }
 
   /// the edges of the domain, each seen from the face from which its vertices
   /// are in the order of their indices, in an order that is the same in every run.
+  /// Those of all constraints are `constrained_edges()`, a member of the base class.
   std::vector<Edge> edges_in_domain() const
   {
     std::vector<Edge> edges;
-    for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
-      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
+    for(Face_handle f : faces_in_domain())
+      for(int i = 0; i < 3; ++i)
         if(f->vertex(ccw(i))->index() < f->vertex(cw(i))->index() || !f->neighbor(i)->is_in_domain())
           edges.push_back(Edge(f, i));
     return edges;
+  }
+
+  /// the vertices of the faces of the domain, in the order of `finite_vertices_begin()`.
+  std::vector<Vertex_handle> vertices_in_domain() const
+  {
+    std::vector<bool> is_used(this->vertex_index_bound(), false);
+    for(Face_handle f : faces_in_domain())
+      for(int i = 0; i < 3; ++i)
+        is_used[f->vertex(i)->index()] = true;
+    std::vector<Vertex_handle> vertices;
+    for(Vertex_handle v : this->finite_vertex_handles())
+      if(is_used[v->index()])
+        vertices.push_back(v);
+    return vertices;
   }
 
   /// the number of faces of the domain; takes time linear in the number of all faces.
   std::size_t number_of_faces_in_domain() const
   {
     std::size_t n = 0;
-    for(auto f = this->finite_faces_begin(); f != this->finite_faces_end(); ++f)
+    for(Face_handle f : this->finite_face_handles())
       n += f->is_in_domain();
     return n;
   }
 
-  /// decides for every face whether it belongs to the domain, and to which
-  /// subdomain. To be called after constraints were added or removed; insertion, removal
-  /// and relocation of vertices keep the marks. The domain is bounded by what `insert_boundary()` has been given
-  /// as a boundary; other constraints divide it into subdomains. Takes time linear in the number of faces.
-  void mark_domain()
-  {
-    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
-      f->set_in_domain(false);
-      f->set_subdomain_index(unvisited);
-    }
-    if(this->dimension() < 2)
-      return;
-    const std::vector<bool> inside = find_components();
-    std::vector<int> references(inside.size(), 0);
-    for(const auto& region : m_regions)
-      references[component_at(region.seed)] = region.reference;
-    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
-      f->set_in_domain(inside[f->subdomain_index()]);
-      f->set_subdomain_index(references[f->subdomain_index()]);
-    }
-  }
+  /// the number of vertices of faces of the domain; takes time linear in the number of all faces.
+  std::size_t number_of_vertices_in_domain() const { return vertices_in_domain().size(); }
+
+  /// decides for every face to which subdomain it belongs. To be called after constraints were added or
+  /// removed; insertion, removal and relocation of vertices keep the marks. The domain stays what `insert_boundary()`
+  /// has been given. Where a constraint between inside and outside was removed, both become what the part is that fewer
+  /// boundaries separate from the infinite face. Takes time linear in the number of faces.
+  void mark_domain() { mark_domain(Edge_set()); }
   /// @}
 
   /// \name Insertion
@@ -242,51 +253,12 @@ public:
             || (lt == Triangulation_kernel::EDGE && this->dimension() == 2 && !f->is_constrained(li)))
         && f->is_in_domain();
   }
-
-  /// inserts a point of the domain whose cavity is known; the new faces belong
-  /// to the subdomain of the old ones.
-  /// \pre `is_field_point()` holds where `p` lies, and `cavity` is what `find_cavity()` has found.
-  Vertex_handle insert_field_point(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
-  {
-    const Face_mark mark(cavity.faces.front());
-    const Vertex_handle v = this->insert_in_cavity(p, m, cavity);
-    mark_star(v, [&](Face_handle) { return mark; });
-    return v;
-  }
-
-  /// inserts `p`, where `m` is the tensor of the field at `p`. The new faces
-  /// belong to the subdomains of the old ones, and both parts of a constrained
-  /// edge on which `p` lies have its reference.
-  Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li) override
-  {
-    if(lt == Triangulation_kernel::VERTEX || this->dimension() < 2)
-      return Triangulation_kernel::insert(p, m, lt, f, li);
-    if(lt == Triangulation_kernel::EDGE && f->is_constrained(li))
-      return split_constrained_edge(p, m, f, li);
-    const Face_mark mark(f);
-    const Vertex_handle v = Triangulation_kernel::insert(p, m, lt, f, li);
-    mark_star(v, [&](Face_handle) { return mark; });
-    return v;
-  }
   /// @}
 
 private:
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel> Graph;
 
-  struct Edge_mark
-  {
-    int  reference;
-    bool is_boundary;
-  };
-
-  // what a face knows of the domain
-  struct Face_mark
-  {
-    bool is_in_domain;
-    int  subdomain;
-
-    explicit Face_mark(Face_handle f) : is_in_domain(f->is_in_domain()), subdomain(f->subdomain_index()) {}
-  };
+  typedef std::set<std::pair<int, int> >                              Edge_set; // by the indices of the ends
 
   // a face from which a component is filled
   struct Seed
@@ -297,14 +269,9 @@ private:
 
   static constexpr int unvisited = -1;
 
-  static std::uint64_t key(Vertex_handle u, Vertex_handle v)
+  static std::pair<int, int> key(const Edge& e)
   {
-    const std::uint64_t i = (std::min)(u->index(), v->index()), j = (std::max)(u->index(), v->index());
-    return (i << 32) | j;
-  }
-  static std::uint64_t key(const Edge& e)
-  {
-    return key(e.first->vertex(ccw(e.second)), e.first->vertex(cw(e.second)));
+    return std::minmax({e.first->vertex(ccw(e.second))->index(), e.first->vertex(cw(e.second))->index()});
   }
 
   std::vector<Vertex_handle> insert_boundary_points(const std::vector<Point>& points)
@@ -319,58 +286,42 @@ private:
   }
 
   // A segment that passes through other vertices becomes several edges.
-  void insert_boundary_segment(Vertex_handle u, Vertex_handle v, const Edge_mark& mark)
+  void insert_segment(Vertex_handle u, Vertex_handle v, int reference, bool is_boundary, Edge_set& toggling)
   {
-    insert_constraint(u, v);
+    this->insert_constraint(u, v);
     while(u != v) {
       Vertex_handle next;
-      Face_handle f;
-      int i;
-      if(!this->includes_edge(u, v, next, f, i))
+      Edge e;
+      if(!this->includes_edge(u, v, next, e.first, e.second))
         return;
-      const auto added = m_edge_marks.emplace(key(u, next), mark);
-      if(!added.second) // two coinciding boundary edges have the same on both sides
-        added.first->second.is_boundary = added.first->second.is_boundary != mark.is_boundary;
+      if(edge_reference(e) == 0)
+        this->set_mark(e, {true, reference});
+      if(is_boundary && !toggling.insert(key(e)).second) // two coinciding boundary edges have the same on both sides
+        toggling.erase(key(e));
       u = next;
     }
   }
 
-  template <class Mark_of_face>
-  void mark_star(Vertex_handle v, const Mark_of_face& mark_of)
+  // the same where crossing the given edges toggles inside and outside, in addition to the old boundary
+  void mark_domain(const Edge_set& toggling)
   {
-    Face_circulator f = this->incident_faces(v), done(f);
-    do {
-      const Face_mark mark = mark_of(f);
-      f->set_in_domain(mark.is_in_domain);
-      f->set_subdomain_index(mark.subdomain);
-    } while(++f != done);
-  }
-
-  Vertex_handle split_constrained_edge(const Point& p, const Metric_tensor_2& m, Face_handle f, int li)
-  {
-    const Face_mark left(f), right(f->neighbor(li));
-    const Vertex_handle u = f->vertex(ccw(li)), w = f->vertex(cw(li)); // f is on the left from u to w
-    const bool is_outside_left = this->is_infinite(f);
-    const Vertex_handle v = Triangulation_kernel::insert(p, m, Triangulation_kernel::EDGE, f, li);
-    mark_star(v, [&](Face_handle g) {
-      if(this->is_infinite(g))
-        return is_outside_left ? left : right;
-      const int i = g->index(v);
-      const Vertex_handle a = g->vertex(ccw(i)), b = g->vertex(cw(i)), off = a == u || a == w ? b : a;
-      return this->orientation(u->point(), w->point(), off->point()) == LEFT_TURN ? left : right;
-    });
-    const auto mark = m_edge_marks.find(key(u, w));
-    if(mark != m_edge_marks.end()) {
-      const Edge_mark parts = mark->second;
-      m_edge_marks.erase(mark);
-      m_edge_marks[key(u, v)] = m_edge_marks[key(v, w)] = parts;
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
+      f->set_subdomain_index(unvisited);
+    if(this->dimension() < 2)
+      return;
+    const std::vector<bool> inside = find_components(toggling);
+    std::vector<int> references(inside.size(), 0);
+    for(const auto& region : m_regions)
+      references[component_at(region.seed)] = region.reference;
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
+      f->set_in_domain(inside[f->subdomain_index()]);
+      f->set_subdomain_index(references[f->subdomain_index()]);
     }
-    return v;
   }
 
   // Numbers the components that constrained edges separate, from the outermost
   // on, in the subdomain indices of the faces; returns which belong to the domain.
-  std::vector<bool> find_components()
+  std::vector<bool> find_components(const Edge_set& toggling)
   {
     std::vector<bool> inside;
     std::deque<Seed> seeds(1, Seed{this->infinite_face(), false});
@@ -378,43 +329,28 @@ private:
       const Seed seed = seeds.front();
       if(seed.face->subdomain_index() != unvisited)
         continue;
-      flood(seed, static_cast<int>(inside.size()), seeds);
+      const int component = static_cast<int>(inside.size());
       inside.push_back(seed.is_inside);
+      seed.face->set_subdomain_index(component);
+      Anisotropic_mesh_2::internal::flood(std::vector<Face_handle>(1, seed.face), [&](Face_handle f, int i) {
+        const Face_handle g = f->neighbor(i);
+        if(g->subdomain_index() != unvisited)
+          return false;
+        if(f->is_constrained(i)) {
+          const bool toggles = is_on_boundary(Edge(f, i)) != (toggling.count(key(Edge(f, i))) > 0);
+          seeds.push_back(Seed{g, seed.is_inside != toggles});
+          return false;
+        }
+        g->set_subdomain_index(component);
+        return true;
+      });
     }
     return inside;
   }
 
-  void flood(const Seed& seed, int component, std::deque<Seed>& seeds)
-  {
-    std::vector<Face_handle> stack(1, seed.face);
-    seed.face->set_subdomain_index(component);
-    while(!stack.empty()) {
-      const Face_handle f = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 3; ++i) {
-        const Face_handle g = f->neighbor(i);
-        if(g->subdomain_index() != unvisited)
-          continue;
-        if(f->is_constrained(i))
-          seeds.push_back(Seed{g, is_inside_beyond(Edge(f, i), seed.is_inside)});
-        else {
-          g->set_subdomain_index(component);
-          stack.push_back(g);
-        }
-      }
-    }
-  }
-
-  bool is_inside_beyond(const Edge& e, bool inside) const
-  {
-    const auto mark = m_edge_marks.find(key(e));
-    return inside != (mark != m_edge_marks.end() && mark->second.is_boundary);
-  }
-
   int component_at(const Point& p) const { return this->locate(p)->subdomain_index(); }
 
-  std::unordered_map<std::uint64_t, Edge_mark> m_edge_marks;
-  std::vector<typename Graph::Region>          m_regions;
+  std::vector<typename Graph::Region> m_regions;
 };
 
 } // namespace CGAL

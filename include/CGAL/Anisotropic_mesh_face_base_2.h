@@ -11,12 +11,15 @@
 
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 
+#include <array>
+#include <utility>
+
 namespace CGAL {
 
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// The face base of anisotropic meshes: it stores whether the face belongs to
-/// the domain, and to which subdomain.
+/// the domain, to which subdomain, and the references of its edges.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Fb a model of `ConstrainedTriangulationFaceBase_2`.
@@ -40,6 +43,7 @@ public:
   /// \endcond
 
   /// \name Creation
+  /// Edges have no reference until it is set.
   /// @{
 
   /// a face outside of the domain, without vertices.
@@ -69,11 +73,39 @@ public:
 
   /// sets the reference of the subdomain.
   void set_subdomain_index(int i) { m_subdomain_index = i; }
+
+  /// the reference of the curve that the `i`-th edge comes from; 0 if there is none.
+  int edge_reference(int i) const { return m_edge_references[i]; }
+
+  /// sets the reference of the `i`-th edge.
+  void set_edge_reference(int i, int reference) { m_edge_references[i] = reference; }
+
+  /// exchanges the vertices 0 and 1.
+  void reorient()
+  {
+    Fb::reorient();
+    std::swap(m_edge_references[0], m_edge_references[1]);
+  }
+
+  /// turns the face: vertex 0 becomes vertex 1.
+  void ccw_permute()
+  {
+    Fb::ccw_permute();
+    m_edge_references = {{m_edge_references[2], m_edge_references[0], m_edge_references[1]}};
+  }
+
+  /// turns the face: vertex 0 becomes vertex 2.
+  void cw_permute()
+  {
+    Fb::cw_permute();
+    m_edge_references = {{m_edge_references[1], m_edge_references[2], m_edge_references[0]}};
+  }
   /// @}
 
 private:
   bool m_is_in_domain = false;
   int m_subdomain_index = 0;
+  std::array<int, 3> m_edge_references = {{0, 0, 0}};
 };
 
 } // namespace CGAL

@@ -18,7 +18,7 @@ namespace CGAL {
 /// The vertex base of anisotropic triangulations: it keeps the metric tensor of
 /// the vertex's position, so that the field is evaluated once per vertex, and
 /// its index, which stays the same while the vertex moves and when an optimizer
-/// rebuilds the triangulation.
+/// rebuilds the triangulation, and whether it is required to stay.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Vb a model of `TriangulationVertexBase_2`.
@@ -43,7 +43,7 @@ public:
   /// \endcond
 
   /// \name Creation
-  /// The tensor is the identity and the index -1 until they are set.
+  /// The tensor is the identity and the index -1 until they are set. The vertex is not required.
   /// @{
 
   /// a vertex without position.
@@ -65,19 +65,30 @@ public:
   /// the tensor of the field at the position of the vertex.
   const Metric_tensor_2& metric_tensor() const { return m_tensor; }
 
+  /// \cgalAdvancedBegin
   /// sets the tensor; the triangulation does so when it inserts or moves the vertex.
+  /// \cgalAdvancedEnd
   void set_metric_tensor(const Metric_tensor_2& m) { m_tensor = m; }
 
   /// the rank of the vertex in the order of insertion.
   int index() const { return m_index; }
 
+  /// \cgalAdvancedBegin
   /// sets the index; the triangulation does so when it inserts the vertex.
+  /// \cgalAdvancedEnd
   void set_index(int i) { m_index = i; }
+
+  /// whether algorithms must neither move nor remove the vertex.
+  bool is_required() const { return m_is_required; }
+
+  /// sets whether the vertex is required.
+  void set_required(bool b) { m_is_required = b; }
   /// @}
 
 private:
   Metric_tensor_2 m_tensor;
   int m_index = -1;
+  bool m_is_required = false;
 };
 
 } // namespace CGAL

@@ -8,6 +8,7 @@
 #define CGAL_CONSTRAINED_ANISOTROPIC_DELAUNAY_TRIANGULATION_2_H
 
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/face_marks.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Triangulation_checker_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Vertex_remover_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
@@ -44,7 +45,12 @@ namespace CGAL {
 /// Where the traits decide exactly, a cavity is star-shaped by itself; where
 /// they do not, faces that the point does not see are left out of it.
 ///
-/// Members of the base class that are not listed here, such as `locate()`, ranges and circulators, are unchanged.
+/// Members of the base class that are not listed here, such as `locate()`, ranges and circulators, are unchanged,
+/// except for those that would leave vertices without tensor and index or edges without their marks: `insert_in_face()`,
+/// `insert_in_edge()`, `insert_outside_convex_hull()`, `insert_outside_affine_hull()`, `insert_first()`,
+/// `insert_second()`, `remove_first()`, `remove_second()`, `remove_degree_3()`, `remove_and_give_new_faces()`,
+/// `remove_constraint()`, `star_hole()`, `make_hole()`, `create_face()`, `delete_face()`, `delete_vertex()`,
+/// `collapse_edge()`, `file_input()` and the operator `>>` cannot be called.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Tds_ a model of `TriangulationDataStructure_2` whose vertices model
@@ -150,22 +156,19 @@ public:
     return insert(p, geom_traits().construct_metric_tensor_2_object()(p), lt, f, li);
   }
 
-  /// inserts `p`, where `m` is the tensor of the field at `p`. All insertions of
-  /// points end here; a class whose faces store data overrides it.
-  virtual Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
+  /// inserts `p`, where `m` is the tensor of the field at `p`. Both parts of a constrained edge on which `p` lies
+  /// are constrained.
+  Vertex_handle insert(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
   {
     if(lt == Constrained_triangulation::VERTEX)
       return dimension() == 0 ? this->finite_vertex() : f->vertex(li);
-    if(is_inside_hull(lt, f, li) && !(lt == Constrained_triangulation::EDGE && f->is_constrained(li))) {
-      Cavity cavity;
-      find_cavity(p, m, lt, f, li, cavity);
-      return insert_in_cavity(p, m, cavity);
-    }
-    const Vertex_handle v = Constrained_triangulation::insert(p, lt, f, li);
-    initialize(v, m);
-    if(dimension() == 2)
-      restore_star(v);
-    return v;
+    if(dimension() < 2)
+      return insert_in_low_dimension(p, m, lt, f, li);
+    if(!is_inside_hull(lt, f, li))
+      return insert_at_hull(p, m, lt, f, li);
+    Cavity cavity;
+    find_cavity(p, m, lt, f, li, cavity);
+    return insert_in_cavity(p, m, cavity);
   }
 
   /// inserts `p`, so that `std::back_inserter()` takes the triangulation.
@@ -178,11 +181,11 @@ public:
   /// \return whether `v` was removed. That is always so if the traits decide
   /// exactly; if they do not, rounding errors may leave no way to fill the hole
   /// with counterclockwise faces, and `v` stays.
-  /// \pre `v` is a finite vertex of the triangulation and ends no constrained edge.
+  /// \pre `v` is a finite vertex of the triangulation and not fixed.
   bool remove(Vertex_handle v)
   {
     CGAL_precondition(v != Vertex_handle() && !is_infinite(v));
-    CGAL_precondition(!are_there_incident_constraints(v));
+    CGAL_precondition(!is_fixed(v));
     if(dimension() < 2 || this->test_dim_down(v)) {
       Constrained_triangulation::remove(v);
       return true;
@@ -196,12 +199,12 @@ public:
   /// moves `v` to `p` unless another vertex stands there, and restores the local criterion.
   ///
   /// The vertex keeps its handle, its index and all that it stores, and takes
-  /// the tensor of `p`. It may move anywhere if it ends no constrained edge. An
+  /// the tensor of `p`. It may move anywhere if it is not fixed. An
   /// end of constrained edges takes them along.
   /// \return `v`, or the vertex that stands at `p`, in which case nothing changes.
   /// If the traits do not decide exactly, `v` may also stay where it is, as with `remove()`.
-  /// \pre `v` is a finite vertex of the triangulation. If it ends a constrained
-  /// edge, its faces are finite and are still counterclockwise with `v` at `p`.
+  /// \pre `v` is a finite vertex of the triangulation. If it is fixed, its faces are finite and are still
+  /// counterclockwise with `v` at `p`.
   /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at
   /// `p`; nothing changes.
   Vertex_handle move_if_no_collision(Vertex_handle v, const Point& p)
@@ -216,7 +219,7 @@ public:
       restore_local_criterion(edges_of_star(v));
       return v;
     }
-    CGAL_precondition(!are_there_incident_constraints(v));
+    CGAL_precondition(!is_fixed(v));
     Locate_type lt;
     int li;
     const Face_handle f = locate(p, lt, li, v->face());
@@ -237,7 +240,7 @@ public:
 
   /// moves `v` to `p`; if another vertex stands there, `v` is removed.
   /// \return the vertex at `p`.
-  /// \pre as for `move_if_no_collision()`, and `v` ends no constrained edge if another vertex stands at `p`.
+  /// \pre as for `move_if_no_collision()`, and `v` is not fixed if another vertex stands at `p`.
   Vertex_handle move(Vertex_handle v, const Point& p)
   {
     const Vertex_handle w = move_if_no_collision(v, p);
@@ -246,10 +249,13 @@ public:
     return w;
   }
 
+  /// whether `v` ends a constrained edge or is required. Algorithms that move or remove vertices leave it as it is.
+  bool is_fixed(Vertex_handle v) const { return v->is_required() || are_there_incident_constraints(v); }
+
   /// makes the constrained edge a free one, and restores the local criterion.
   void remove_constrained_edge(Face_handle f, int i)
   {
-    Constrained_triangulation::remove_constrained_edge(f, i);
+    set_mark(Edge(f, i), Edge_mark());
     if(dimension() == 2)
       restore_local_criterion(std::vector<Edge>(1, Edge(f, i)));
   }
@@ -257,7 +263,10 @@ public:
   /// makes all edges of `v` free ones, and restores the local criterion.
   void remove_incident_constraints(Vertex_handle v)
   {
-    Constrained_triangulation::remove_incident_constraints(v);
+    std::vector<Edge> constrained;
+    this->incident_constraints(v, std::back_inserter(constrained));
+    for(const Edge& e : constrained)
+      set_mark(e, Edge_mark());
     if(dimension() == 2)
       restore_local_criterion(edges_of_star(v));
   }
@@ -311,7 +320,9 @@ public:
   /// a number larger than the index of any vertex; the next vertex gets it as its index.
   int vertex_index_bound() const { return m_vertex_index_bound; }
 
-  /// makes `bound` the index of the next vertex.
+  /// \cgalAdvancedBegin
+  /// makes `bound` the index of the next vertex, for algorithms that number vertices themselves.
+  /// \cgalAdvancedEnd
   void set_vertex_index_bound(int bound) { m_vertex_index_bound = bound; }
 
   /// removes all vertices, and starts their numbers from 0.
@@ -330,6 +341,9 @@ public:
   /// @}
 
   /// \name Cavities
+  /// \cgalAdvancedBegin
+  /// For algorithms that look at what an insertion would replace before they insert; others call `insert()`.
+  /// \cgalAdvancedEnd
   /// @{
 
   /// what the insertion of a point replaces.
@@ -337,6 +351,7 @@ public:
   {
     boost::container::small_vector<Face_handle, 16> faces;    ///< connected
     boost::container::small_vector<Edge, 18>        boundary; ///< around them, counterclockwise, as seen from outside
+    int split_edge = -1; ///< the index of the edge in the first face on which the point lies, if it is constrained
   };
 
   /// whether the finite face `f` is in conflict with a point `p` of tensor `m`.
@@ -348,8 +363,8 @@ public:
               a.metric_tensor(), b.metric_tensor(), c.metric_tensor(), m) == ON_POSITIVE_SIDE;
   }
 
-  /// finds the cavity of `p`, which `locate()` has found inside of a finite
-  /// face or of an edge that is not constrained and has two finite faces.
+  /// finds the cavity of `p`, which `locate()` has found inside of a finite face or of an edge with two finite
+  /// faces. It extends to both sides of that edge, be it constrained.
   /// \param p the point
   /// \param m the tensor of the field at `p`
   /// \param lt what `locate()` has found: `FACE` or `EDGE`
@@ -368,9 +383,10 @@ public:
       to_cross.push_back(Edge(g, ccw(from)));
     };
 
+    cavity.split_edge = -1;
     if(lt == Constrained_triangulation::EDGE) {
-      CGAL_precondition(!f->is_constrained(li));
       const Edge e = mirror_edge(Edge(f, li));
+      cavity.split_edge = f->is_constrained(li) ? e.second : -1;
       enter(e.first, e.second);
       enter(f, li);
     }
@@ -391,19 +407,25 @@ public:
   }
 
   /// replaces `cavity` by the ball of `p`, the faces that join `p` to its boundary, and returns the new vertex.
+  /// The new faces belong to the subdomains of the old ones, and both parts of a divided edge have its reference.
   /// \param p the point
   /// \param m the tensor of the field at `p`
   /// \param cavity what `find_cavity()` has found, as long as the triangulation has not changed
   Vertex_handle insert_in_cavity(const Point& p, const Metric_tensor_2& m, const Cavity& cavity)
   {
-    const Vertex_handle v = this->star_hole(p, cavity.boundary.begin(), cavity.boundary.end(),
-                                            cavity.faces.begin(), cavity.faces.end());
+    const Divided_edge divided(cavity.faces.front(), cavity.split_edge);
+    const Vertex_handle v = Triangulation::star_hole(p, cavity.boundary.begin(), cavity.boundary.end(),
+                                                     cavity.faces.begin(), cavity.faces.end());
     initialize(v, m);
+    mark_star(v, divided);
     return v;
   }
   /// @}
 
   /// \name Flips
+  /// \cgalAdvancedBegin
+  /// For algorithms that move vertices without the triangulation's knowledge.
+  /// \cgalAdvancedEnd
   /// @{
 
   /// whether the edge is neither constrained nor on the hull, and its two faces
@@ -423,20 +445,21 @@ public:
   /// \pre `is_flippable(f, i)`
   void flip(Face_handle f, int i)
   {
+    using namespace Anisotropic_mesh_2::internal;
     const Face_handle g = f->neighbor(i);
     const int j = mirror_index(f, i);
     // around the quadrilateral f->vertex(i), f->vertex(ccw(i)), g->vertex(j), f->vertex(cw(i)):
-    const bool c0 = f->is_constrained(cw(i)), c1 = g->is_constrained(ccw(j));
-    const bool c2 = g->is_constrained(cw(j)), c3 = f->is_constrained(ccw(i));
+    const Edge_mark m0 = edge_mark(*f, cw(i)), m1 = edge_mark(*g, ccw(j));
+    const Edge_mark m2 = edge_mark(*g, cw(j)), m3 = edge_mark(*f, ccw(i));
     const Vertex_handle v0 = f->vertex(i), v1 = f->vertex(ccw(i)), v2 = g->vertex(j), v3 = f->vertex(cw(i));
 
     this->tds().flip(f, i);
 
-    const auto mark = [&](Face_handle h, Vertex_handle opposite, bool constrained)
-                      { h->set_constraint(h->index(opposite), constrained); };
+    const auto mark = [&](Face_handle h, Vertex_handle opposite, const Edge_mark& m)
+                      { set_edge_mark(*h, h->index(opposite), m); };
     const Face_handle h = f->has_vertex(v1) ? f : g, k = f->has_vertex(v1) ? g : f;
-    mark(h, v1, false); mark(h, v2, c0); mark(h, v0, c1); // h = v0 v1 v2
-    mark(k, v3, false); mark(k, v0, c2); mark(k, v2, c3); // k = v2 v3 v0
+    mark(h, v1, Edge_mark()); mark(h, v2, m0); mark(h, v0, m1); // h = v0 v1 v2
+    mark(k, v3, Edge_mark()); mark(k, v0, m2); mark(k, v2, m3); // k = v2 v3 v0
   }
 
   /// whether the edge satisfies the criterion from at least one of its sides,
@@ -541,6 +564,9 @@ public:
 
   /// \cond SKIP_IN_MANUAL
 protected:
+  typedef Anisotropic_mesh_2::internal::Edge_mark     Edge_mark;
+  typedef Anisotropic_mesh_2::internal::Region_mark   Region_mark;
+
   // what the base class calls to insert a point
   Vertex_handle virtual_insert(const Point& p, Face_handle start = Face_handle()) override
   {
@@ -556,14 +582,57 @@ protected:
   // flipped until its edges are locally Delaunay.
   void triangulate_hole(List_faces& faces, List_edges& boundary_ab, List_edges& boundary_ba) override
   {
+    using namespace Anisotropic_mesh_2::internal;
+    const Region_mark region = region_mark(*faces.front());
+    std::vector<Marked_ends> around;
+    for(const List_edges* part : {&boundary_ab, &boundary_ba})
+      for(const Edge& e : *part)
+        if(is_constrained(e))
+          around.push_back(Marked_ends(e));
     List_edges new_edges;
     Constrained_triangulation::triangulate_hole(faces, boundary_ab, boundary_ba, new_edges);
+    for(const Edge& e : new_edges)
+      set_region_mark(*e.first, region);
+    restore_marks(around);
     restore_local_criterion(std::vector<Edge>(new_edges.begin(), new_edges.end()));
+  }
+
+  // marks an edge on both its sides
+  void set_mark(const Edge& e, const Edge_mark& m)
+  {
+    using namespace Anisotropic_mesh_2::internal;
+    set_edge_mark(*e.first, e.second, m);
+    if(dimension() < 2)
+      return;
+    const Edge other = mirror_edge(e);
+    set_edge_mark(*other.first, other.second, m);
   }
   /// \endcond
 
 private:
-  typedef Constrained_anisotropic_Delaunay_triangulation_2 Self;
+  // what would break the invariants
+  using Constrained_triangulation::collapse_edge;
+  using Constrained_triangulation::create_face;
+  using Constrained_triangulation::delete_face;
+  using Constrained_triangulation::delete_vertex;
+  using Constrained_triangulation::file_input;
+  using Constrained_triangulation::insert_first;
+  using Constrained_triangulation::insert_in_edge;
+  using Constrained_triangulation::insert_in_face;
+  using Constrained_triangulation::insert_outside_affine_hull;
+  using Constrained_triangulation::insert_outside_convex_hull;
+  using Constrained_triangulation::insert_second;
+  using Constrained_triangulation::make_hole;
+  using Constrained_triangulation::remove_and_give_new_faces;
+  using Constrained_triangulation::remove_constraint;
+  using Constrained_triangulation::remove_degree_3;
+  using Constrained_triangulation::remove_first;
+  using Constrained_triangulation::remove_second;
+  using Constrained_triangulation::star_hole;
+  friend std::istream& operator>>(std::istream&, Constrained_anisotropic_Delaunay_triangulation_2&) = delete;
+
+  typedef Constrained_anisotropic_Delaunay_triangulation_2   Self;
+  typedef typename Constrained_triangulation::Triangulation  Triangulation;
 
   void initialize(Vertex_handle v, const Metric_tensor_2& m)
   {
@@ -581,6 +650,101 @@ private:
     return dimension() == 2
         && (lt == Constrained_triangulation::FACE
             || (lt == Constrained_triangulation::EDGE && !is_infinite(f) && !is_infinite(f->neighbor(li))));
+  }
+
+  // The base class joins p to what it sees of the hull.
+  Vertex_handle insert_at_hull(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
+  {
+    const Divided_edge divided(f, lt == Constrained_triangulation::EDGE && f->is_constrained(li) ? li : -1);
+    const Vertex_handle v = Constrained_triangulation::insert(p, lt, f, li);
+    initialize(v, m);
+    mark_star(v, divided);
+    restore_star(v);
+    return v;
+  }
+
+  // What is known of the i-th edge of a face, which a point divides, and of both sides; if i < 0, of the face alone.
+  struct Divided_edge
+  {
+    Vertex_handle source, target; // with the face on the left
+    Edge_mark     mark;
+    Region_mark   left, right;
+
+    Divided_edge(Face_handle f, int i)
+      : left(Anisotropic_mesh_2::internal::region_mark(*f)), right(left)
+    {
+      using namespace Anisotropic_mesh_2::internal;
+      if(i < 0)
+        return;
+      source = f->vertex(ccw(i));
+      target = f->vertex(cw(i));
+      mark = edge_mark(*f, i);
+      right = region_mark(*f->neighbor(i));
+    }
+  };
+
+  // Gives the faces of a new vertex the marks of what they replace.
+  void mark_star(Vertex_handle v, const Divided_edge& divided)
+  {
+    using namespace Anisotropic_mesh_2::internal;
+    const auto mark_to = [&](Vertex_handle w)
+                         { return w == divided.source || w == divided.target ? divided.mark : Edge_mark(); };
+    Face_circulator f = this->incident_faces(v);
+    while(divided.target != Vertex_handle() && f->vertex(ccw(f->index(v))) != divided.target)
+      ++f;
+    bool is_left = true;
+    const Face_circulator done(f);
+    do {
+      const int i = f->index(v);
+      const Edge beyond = mirror_edge(Edge(f, i));
+      is_left = is_left && f->vertex(ccw(i)) != divided.source;
+      set_edge_mark(*f, i, edge_mark(*beyond.first, beyond.second));
+      set_edge_mark(*f, ccw(i), mark_to(f->vertex(cw(i))));
+      set_edge_mark(*f, cw(i), mark_to(f->vertex(ccw(i))));
+      set_region_mark(*f, is_left ? divided.left : divided.right);
+    } while(++f != done);
+  }
+
+  // the mark of an edge while faces are replaced
+  struct Marked_ends
+  {
+    Vertex_handle source, target;
+    Edge_mark     mark;
+
+    explicit Marked_ends(const Edge& e)
+      : source(e.first->vertex(ccw(e.second))), target(e.first->vertex(cw(e.second))),
+        mark(Anisotropic_mesh_2::internal::edge_mark(*e.first, e.second))
+    {}
+  };
+
+  void restore_marks(const std::vector<Marked_ends>& edges)
+  {
+    for(const Marked_ends& ends : edges) {
+      Edge e;
+      if(this->is_edge(ends.source, ends.target, e.first, e.second))
+        set_mark(e, ends.mark);
+    }
+  }
+
+  // The base class inserts into a triangulation of points on a line.
+  Vertex_handle insert_in_low_dimension(const Point& p, const Metric_tensor_2& m, Locate_type lt, Face_handle f, int li)
+  {
+    using namespace Anisotropic_mesh_2::internal;
+    std::vector<Marked_ends> edges;
+    if(lt == Constrained_triangulation::OUTSIDE_AFFINE_HULL)
+      for(const Edge& e : this->constrained_edges())
+        edges.push_back(Marked_ends(e));
+    const Edge_mark divided = lt == Constrained_triangulation::EDGE ? edge_mark(*f, li) : Edge_mark();
+    const Vertex_handle v = Constrained_triangulation::insert(p, lt, f, li);
+    initialize(v, m);
+    restore_marks(edges);
+    if(dimension() == 1) {
+      auto e = this->incident_edges(v), done(e);
+      do {
+        set_mark(*e, divided);
+      } while(++e != done);
+    }
+    return v;
   }
 
   bool is_crossed(const Edge& inner, const Edge& outer, const Point& p, const Metric_tensor_2& m) const

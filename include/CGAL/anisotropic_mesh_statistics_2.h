@@ -12,7 +12,6 @@
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/write_statistics.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
@@ -97,8 +96,9 @@ public:
 
   Mesh_statistics operator()()
   {
-    faces_in_domain(m_mesh, m_faces);
-    count();
+    m_faces = m_mesh.faces_in_domain();
+    m_result.triangles = m_faces.size();
+    m_result.vertices = m_mesh.number_of_vertices_in_domain();
     if(m_result.triangles == 0)
       return m_result;
     measure_shapes();
@@ -107,16 +107,6 @@ public:
   }
 
 private:
-  void count()
-  {
-    std::vector<bool> is_used(m_mesh.vertex_index_bound(), false);
-    for(Face_handle f : m_faces)
-      for(int i = 0; i < 3; ++i)
-        is_used[f->vertex(i)->index()] = true;
-    m_result.triangles = m_faces.size();
-    m_result.vertices = std::count(is_used.begin(), is_used.end(), true);
-  }
-
   // whether the edge is to be looked at from this face
   static bool is_own_edge(Face_handle f, int i)
   {

@@ -16,7 +16,6 @@
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Surface_atlas.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Surface_cover.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/surface_geometry.h>
@@ -222,7 +221,7 @@ private:
     for(std::size_t f = 0; f < m_mesh.number_of_faces(); ++f)
       if(m_cover.part_of_face(f) == k)
         faces.insert(sorted(m_mesh.faces()[f]));
-    faces_in_domain(part.mesh(), given);
+    given = part.mesh().faces_in_domain();
     const auto middle = std::stable_partition(given.begin(), given.end(), [&](Face_handle f) {
       return faces.count(sorted({part.number(f->vertex(0)), part.number(f->vertex(1)), part.number(f->vertex(2))})) > 0;
     });

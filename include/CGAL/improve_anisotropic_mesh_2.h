@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/reason_to_stop.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Required_for_now.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Quality_improver.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
 
@@ -55,10 +56,8 @@ struct Quality_improvement
 /// `optimize_anisotropic_mesh_2()` calls this function at the end unless it is told not to; alone it is of use for
 /// meshes that are optimized already.
 ///
-/// Vertices on constrained edges stay where they are. Handles to vertices that are not removed stay valid; vertices
-/// that
-/// are not on constrained edges may get the indices of removed ones. The time is proportional to the number of bad
-/// faces,
+/// Fixed vertices stay where they are. Handles to vertices that are not removed stay valid; vertices that
+/// are not on constrained edges may get the indices of removed ones. The time is proportional to the number of bad faces,
 /// apart from some passes over all faces.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
@@ -71,6 +70,11 @@ struct Quality_improvement
 ///     \cgalParamDescription{real time in seconds after which no new face is tried; 0 for no limit}
 ///     \cgalParamType{`double`, not negative}
 ///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{the vertices that stay, besides those that are fixed anyway}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type `bool`}
+///     \cgalParamDefault{`false` for every vertex}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -89,6 +93,7 @@ improve_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameter
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
+  const internal::Required_for_now<Mesh> required(mesh, np);
   const internal::Time_budget time(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.));
   internal::Quality_improver<Mesh> improve(mesh, time);
   const Mesh_optimization_return_code code = improve();

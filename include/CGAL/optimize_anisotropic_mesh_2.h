@@ -14,6 +14,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Full_region_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Required_for_now.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Acvt_optimizer.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_reinserter.h>
@@ -247,6 +248,11 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 ///       the optimum is no unit mesh and has faces of less quality, and these moves would raise its energy by some
 /// percent}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{the vertices that stay, besides those that are fixed anyway}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type `bool`}
+///     \cgalParamDefault{`false` for every vertex}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{an object whose member `bool iteration(const Anisotropic_mesh_2::Optimization_state&)`
 ///       is called after each iteration, and once before the first; `false` stops the optimizer}
@@ -272,6 +278,7 @@ optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::paramete
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
+  const internal::Required_for_now<Mesh> required(mesh, np);
   const internal::Time_budget time(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.));
   const auto optimize = [&] {
     // without the parameter, users do not pay for the compilation of Lloyd's iteration

@@ -67,9 +67,8 @@ std::size_t refine_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL
     (get_parameter(np, internal::point_placement_t()), Anisotropic_mesh_2::Point_placement::ADVANCING_FRONT);
 
   std::vector<internal::Triangle_of_doubles> triangles;
-  for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
-    if(f->is_in_domain())
-      triangles.push_back(internal::triangle_of_doubles(f));
+  for(const auto f : mesh.faces_in_domain())
+    triangles.push_back(internal::triangle_of_doubles(f));
   internal::check_ideal_number_of_vertices<typename Mesh::Point>
     (triangles, mesh.geom_traits().construct_metric_tensor_2_object(), limit);
   const std::size_t before = mesh.number_of_vertices();

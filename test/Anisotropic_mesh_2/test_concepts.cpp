@@ -28,6 +28,7 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <array>
+#include <istream>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -99,6 +100,31 @@ static_assert(models_face_base<Rich::Face>(), "");
 static_assert(std::is_same<Plain::Metric_tensor_2, Tensor>::value, "");
 static_assert(std::is_same<Rich::Geom_traits, Traits>::value, "");
 static_assert(std::is_copy_constructible<Rich>::value && std::is_copy_assignable<Rich>::value, "");
+
+// Members of the base class that would break what the triangulation promises cannot be called.
+template <class T>
+constexpr bool hides_what_breaks_it()
+{
+  typedef typename T::Face_handle Face;
+  const auto inserts_in_face = [](auto& t, Face f) -> decltype((void)t.insert_in_face(Point(), f)) {};
+  const auto inserts_outside = [](auto& t, Face f) -> decltype((void)t.insert_outside_convex_hull(Point(), f)) {};
+  const auto removes = [](auto& t, Face f) -> decltype((void)t.remove_degree_3(f->vertex(0))) {};
+  const auto frees = [](auto& t, Face f) -> decltype((void)t.remove_constraint(f, 0)) {};
+  const auto reads = [](auto& t, Face) -> decltype((void)(std::declval<std::istream&>() >> t)) {};
+  typedef typename T::Constrained_triangulation Base;
+  static_assert(std::is_invocable<decltype(inserts_in_face), Base&, Face>::value, "");
+  static_assert(std::is_invocable<decltype(inserts_outside), Base&, Face>::value, "");
+  static_assert(std::is_invocable<decltype(removes), Base&, Face>::value, "");
+  static_assert(std::is_invocable<decltype(frees), Base&, Face>::value, "");
+  static_assert(std::is_invocable<decltype(reads), Base&, Face>::value, "");
+  return !std::is_invocable<decltype(inserts_in_face), T&, Face>::value
+      && !std::is_invocable<decltype(inserts_outside), T&, Face>::value
+      && !std::is_invocable<decltype(removes), T&, Face>::value
+      && !std::is_invocable<decltype(frees), T&, Face>::value && !std::is_invocable<decltype(reads), T&, Face>::value;
+}
+
+static_assert(hides_what_breaks_it<Plain>() && hides_what_breaks_it<Rich>(), "");
+static_assert(hides_what_breaks_it<Mesh>(), "");
 
 template <class T>
 T filled()

@@ -15,7 +15,10 @@
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/make_anisotropic_mesh_2.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -105,9 +108,104 @@ void test_triangulation_of_cgal()
   CHECK(mesh.is_valid(true) && number_of_constraints(mesh) == number_of_constraints(cdt));
 }
 
+using Method = CGAL::Anisotropic_mesh_2::Optimization_method;
+
+// the vertices that a test requires, as a property map
+struct Is_among
+{
+  typedef Mesh::Vertex_handle                    key_type;
+  typedef bool                                   value_type, reference;
+  typedef boost::readable_property_map_tag       category;
+
+  const std::set<int>* indices;
+
+  friend bool get(const Is_among& map, Mesh::Vertex_handle v) { return map.indices->count(v->index()) > 0; }
+};
+
+std::map<int, Point_2> positions(const Mesh& mesh)
+{
+  std::map<int, Point_2> result;
+  for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+    result[v->index()] = v->point();
+  return result;
+}
+
+void check_positions(const Mesh& mesh, const std::map<int, Point_2>& before, const std::set<int>& required,
+                     const std::string& what)
+{
+  const std::map<int, Point_2> after = positions(mesh);
+  for(int i : required)
+    CHECK_MSG(after.count(i) == 1 && after.at(i) == before.at(i), what + ", vertex " + std::to_string(i));
+  std::size_t moved = 0;
+  for(const auto& p : before)
+    moved += after.count(p.first) == 0 || after.at(p.first) != p.second;
+  CHECK_MSG(moved > before.size() / 2, what);
+  CHECK_MSG(mesh.is_valid(true), what);
+}
+
+// Vertices in pairs that are much closer to each other than the metric wants: optimizers
+// would part them and quality moves unite them.
+void test_required_vertices()
+{
+  Mesh start = CGAL::make_anisotropic_mesh_2<Mesh>(square(), Traits(Field()));
+  std::set<int> required;
+  for(const Point_2& p : {Point_2(0.3, 0.1), Point_2(0.31, 0.1), Point_2(-0.5, 0.52), Point_2(-0.49, 0.5)})
+    required.insert(start.insert(p)->index());
+  const std::map<int, Point_2> before = positions(start);
+
+  for(bool by_map : {false, true})
+    for(bool by_lloyd : {false, true}) {
+      const std::string what = std::string(by_lloyd ? "Lloyd" : "quasi-Newton") + (by_map ? ", map" : ", marks");
+      const auto optimize = [&](Mesh& mesh) {
+        const auto np = CGAL::Anisotropic_mesh_2::parameters::number_of_iterations(20)
+                          .method(by_lloyd ? Method::LLOYD : Method::QUASI_NEWTON);
+        if(by_map)
+          CGAL::optimize_anisotropic_mesh_2(mesh, np.vertex_is_constrained_map(Is_among{&required}));
+        else
+          CGAL::optimize_anisotropic_mesh_2(mesh, np);
+      };
+      Mesh mesh = start;
+      for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+        v->set_required(!by_map && required.count(v->index()) > 0);
+      optimize(mesh);
+      check_positions(mesh, before, required, what);
+      for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+        CHECK_MSG(v->is_required() == (!by_map && required.count(v->index()) > 0), what);
+      for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+        v->set_required(false);
+      CGAL::optimize_anisotropic_mesh_2(mesh, CGAL::parameters::number_of_iterations(2));
+      const std::map<int, Point_2> after = positions(mesh);
+      for(int i : required)
+        CHECK_MSG(after.at(i) != before.at(i), what); // nothing else had held them
+    }
+
+  Mesh::Vertex_handle v = start.insert(Point_2(0.3, 0.1));
+  CHECK(!start.is_fixed(v));
+  v->set_required(true);
+  CHECK(start.is_fixed(v) && start.empty_mesh().insert(Point_2(0.3, 0.1))->index() == v->index());
+}
+
+void test_ranges()
+{
+  Mesh mesh = CGAL::make_anisotropic_mesh_2<Mesh>(square(), Traits(Field()));
+  const std::size_t vertices = mesh.number_of_vertices();
+  CHECK(mesh.number_of_vertices_in_domain() == vertices && mesh.vertices_in_domain().size() == vertices);
+  mesh.insert(Point_2(5, 5));
+  CHECK(mesh.number_of_vertices() == vertices + 1 && mesh.number_of_vertices_in_domain() == vertices);
+  const auto faces = mesh.faces_in_domain();
+  CHECK(faces.size() == mesh.number_of_faces_in_domain() && faces.size() < mesh.number_of_faces());
+  CHECK(vertices - mesh.edges_in_domain().size() + faces.size() == 1); // Euler
+  std::size_t boundary = 0;
+  for(const Mesh::Edge& e : mesh.constrained_edges())
+    boundary += mesh.is_on_boundary(e);
+  CHECK(3 * faces.size() + boundary == 2 * mesh.edges_in_domain().size());
+}
+
 int main()
 {
   test_own_vertex_base();
   test_triangulation_of_cgal();
+  test_required_vertices();
+  test_ranges();
   return finish();
 }

@@ -308,8 +308,8 @@ void test_moves_of_constrained_vertices()
   CHECK(t.is_valid(true, 1) && v->point() == Point(4.25, 4.5));
   CHECK(t.is_constrained(edge_between(t, v, vertex_at(t, 2, 4))) && t.is_constrained(edge_between(t, v, vertex_at(t, 6, 4))));
   const auto edges = all_edges(t);
-  CHECK_THROWS(t.move_if_no_collision(v, Point(4, 7)), CGAL::Precondition_exception, "are_there_incident_constraints");
-  CHECK_THROWS(t.remove(v), CGAL::Precondition_exception, "are_there_incident_constraints");
+  CHECK_THROWS(t.move_if_no_collision(v, Point(4, 7)), CGAL::Precondition_exception, "is_fixed");
+  CHECK_THROWS(t.remove(v), CGAL::Precondition_exception, "is_fixed");
   CHECK_THROWS(t.remove(t.infinite_vertex()), CGAL::Precondition_exception, "is_infinite");
   CHECK(all_edges(t) == edges);
 
@@ -408,7 +408,8 @@ Mesh two_halves()
   return mesh;
 }
 
-bool has_its_halves(const Mesh& mesh)
+// where a constraint has divided the right half, its parts need not have references
+bool has_its_halves(const Mesh& mesh, bool right_is_divided = false)
 {
   for(auto f = mesh.all_faces_begin(); f != mesh.all_faces_end(); ++f) {
     if(mesh.is_infinite(f)) {
@@ -418,7 +419,10 @@ bool has_its_halves(const Mesh& mesh)
     }
     const Point c = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
     const bool is_inside = c.x() > 0 && c.x() < 8 && c.y() > 0 && c.y() < 8;
-    if(f->is_in_domain() != is_inside || (is_inside && f->subdomain_index() != (c.x() < 4 ? 3 : 5)))
+    if(f->is_in_domain() != is_inside)
+      return false;
+    const bool may_be_without = right_is_divided && c.x() > 4 && f->subdomain_index() == 0;
+    if(is_inside && f->subdomain_index() != (c.x() < 4 ? 3 : 5) && !may_be_without)
       return false;
   }
   return true;
@@ -462,6 +466,124 @@ void test_marks_of_meshes()
   CHECK(references(mesh) == (std::multiset<int>{7, 7, 10, 11, 12, 12, 13, 14, 15}));
   const Mesh empty = mesh.empty_mesh();
   CHECK(has_its_halves(empty) && references(empty) == references(mesh));
+}
+
+// the edge between two vertices, which must be there
+Mesh::Edge edge_between(const Mesh& mesh, Mesh::Vertex_handle u, Mesh::Vertex_handle v)
+{
+  Mesh::Edge e;
+  CHECK(mesh.is_edge(u, v, e.first, e.second));
+  return e;
+}
+
+void test_clear()
+{
+  Mesh mesh = two_halves();
+  mesh.clear();
+  CHECK(mesh.number_of_vertices() == 0 && mesh.number_of_faces_in_domain() == 0);
+  Mesh::Boundary_graph triangle;
+  triangle.points = {Point(0, 0), Point(4, 0), Point(0, 4)};
+  for(std::size_t i = 0; i < 3; ++i)
+    triangle.segments.push_back({i, (i + 1) % 3, 2, true});
+  mesh.insert_boundary(triangle);
+  CHECK(mesh.number_of_faces_in_domain() == 1 && references(mesh) == (std::multiset<int>{2, 2, 2}));
+  mesh.mark_domain();
+  for(Mesh::Face_handle f : mesh.finite_face_handles()) // the regions of before are forgotten, too
+    CHECK(f->is_in_domain() && f->subdomain_index() == 0);
+  mesh = two_halves();
+  mesh.clear();
+  mesh.insert_boundary(triangle);
+  CHECK(mesh.number_of_faces_in_domain() == 1);
+}
+
+// A free edge has no reference, and gets none from before when it is constrained again.
+void test_references_of_freed_edges()
+{
+  Mesh mesh = two_halves();
+  const auto u = mesh.insert(Point(4, 0)), v = mesh.insert(Point(4, 8));
+  CHECK(mesh.edge_reference(edge_between(mesh, u, v)) == 7);
+  const Mesh::Edge e = edge_between(mesh, u, v);
+  mesh.remove_constrained_edge(e.first, e.second);
+  CHECK(references(mesh) == (std::multiset<int>{10, 11, 12, 13, 14, 15}) && mesh.is_valid(true));
+  for(const Mesh::Edge& free : mesh.edges_in_domain())
+    CHECK(mesh.is_constrained(free) || mesh.edge_reference(free) == 0);
+  mesh.insert_constraint(u, v);
+  CHECK(references(mesh) == (std::multiset<int>{0, 10, 11, 12, 13, 14, 15}) && mesh.is_valid(true));
+  CHECK(mesh.number_of_faces_in_domain() == 4);
+  mesh.mark_domain();
+  CHECK(has_its_halves(mesh));
+  mesh.remove_incident_constraints(u);
+  CHECK(references(mesh) == (std::multiset<int>{12, 13, 14, 15}) && mesh.is_valid(true));
+}
+
+// References and domain under what replaces faces: new constraints, whose holes have constrained edges around and
+// within them, insertions in low dimension, and vertices that move onto an edge with a reference.
+void test_references_under_changes()
+{
+  Mesh mesh = two_halves();
+  mesh.insert(Point(4, 5));
+  Random_numbers random(9);
+  for(int i = 0; i < 100; ++i)
+    mesh.insert(Point(random.real(0.1, 7.9), random.real(0.1, 7.9)));
+  const std::multiset<int> old = references(mesh);
+  mesh.insert_constraint(mesh.insert(Point(4, 5)), mesh.insert(Point(8, 4)));
+  mesh.insert_constraint(mesh.insert(Point(7, 7)), mesh.insert(Point(6, 6))); // ends within the next hole
+  mesh.insert_constraint(mesh.insert(Point(4, 0)), mesh.insert(Point(7.9, 3.9)));
+  mesh.insert_constraint(mesh.insert(Point(4.5, 5.5)), mesh.insert(Point(7.8, 5.9)));
+  std::multiset<int> all = references(mesh);
+  all.erase(0);
+  CHECK(has_its_halves(mesh) && mesh.is_valid(true, 1) && all.count(7) == old.count(7));
+  all.erase(12); // which (8, 4) has divided
+  CHECK(all.size() == old.size() - 1);
+  mesh.mark_domain();
+  CHECK(has_its_halves(mesh, true));
+  mesh.move_if_no_collision(mesh.insert(Point(0.01, 0.02)), Point(4, 2));
+  CHECK(has_its_halves(mesh, true) && mesh.is_valid(true, 1) && references(mesh).count(7) == old.count(7) + 1);
+
+  Mesh flat{mesh.geom_traits()};
+  Mesh::Boundary_graph line;
+  line.points = {Point(0, 0), Point(4, 0), Point(8, 0)};
+  line.segments = {{0, 1, 5, false}, {1, 2, 6, false}};
+  flat.insert_boundary(line);
+  CHECK(flat.dimension() == 1 && references(flat) == (std::multiset<int>{5, 6}));
+  flat.insert(Point(2, 0));
+  flat.insert(Point(9, 0));
+  CHECK(flat.dimension() == 1 && references(flat) == (std::multiset<int>{5, 5, 6}));
+  const auto apex = flat.insert(Point(3, 3));
+  CHECK(flat.is_valid(true, 1) && flat.dimension() == 2 && references(flat) == (std::multiset<int>{5, 5, 6}));
+  CHECK(flat.remove(apex) && flat.dimension() == 1 && references(flat) == (std::multiset<int>{5, 5, 6}));
+  flat.insert(Point(3, -3));
+  CHECK(flat.is_valid(true, 1) && references(flat) == (std::multiset<int>{5, 5, 6}));
+
+  Mesh copy(mesh), other;
+  other = copy;
+  CHECK(references(copy) == references(mesh) && references(other) == references(mesh));
+  other.clear();
+  other.swap(copy);
+  CHECK(references(other) == references(mesh) && has_its_halves(other, true) && references(copy).empty());
+  other.mark_domain();
+  CHECK(has_its_halves(other, true));
+}
+
+// Two boundaries, the second inserted into the mesh of the first: a hole in it, and the same again, which fills it.
+void test_second_boundary()
+{
+  Mesh mesh = two_halves();
+  Mesh::Boundary_graph hole;
+  hole.points = {Point(1, 1), Point(3, 1), Point(3, 3), Point(1, 3)};
+  for(std::size_t i = 0; i < 4; ++i)
+    hole.segments.push_back({i, (i + 1) % 4, 2, true});
+  const auto area = [&] {
+    double sum = 0;
+    for(Mesh::Face_handle f : mesh.finite_face_handles())
+      if(f->is_in_domain())
+        sum += CGAL::area(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    return sum;
+  };
+  mesh.insert_boundary(hole);
+  CHECK(area() == 60 && references(mesh).count(2) == 4);
+  mesh.insert_boundary(hole);
+  CHECK(area() == 64 && references(mesh).count(2) == 4);
 }
 
 // ---------------------------------------------------------------- validity and consistency
@@ -583,6 +705,10 @@ int main()
   test_refused_moves();
   test_info();
   test_marks_of_meshes();
+  test_clear();
+  test_references_of_freed_edges();
+  test_references_under_changes();
+  test_second_boundary();
   test_levels_of_validity();
   test_consistency();
   test_consistency_with_constraints();

@@ -2,8 +2,10 @@
 /// \cgalConcept
 ///
 /// The concept `AnisotropicMeshFaceBase_2` describes the faces of anisotropic
-/// meshes, which know whether they belong to the domain. What they know is not
-/// asked for before it is set.
+/// meshes, which know whether they belong to the domain, and the references of
+/// their edges. A new face does not belong to the domain, and its edges have no
+/// reference. `reorient()`, `ccw_permute()` and `cw_permute()` take the
+/// references along with the constraints.
 ///
 /// \cgalRefines{ConstrainedTriangulationFaceBase_2}
 ///
@@ -22,4 +24,9 @@ public:
   int subdomain_index() const;
   /// sets the reference of the subdomain.
   void set_subdomain_index(int i);
+
+  /// the reference of the curve that the `i`-th edge comes from; 0 if there is none.
+  int edge_reference(int i) const;
+  /// sets the reference of the `i`-th edge.
+  void set_edge_reference(int i, int reference);
 };

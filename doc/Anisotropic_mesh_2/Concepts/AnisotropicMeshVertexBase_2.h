@@ -5,7 +5,7 @@
 /// anisotropic triangulations, which keep the metric tensor of their position.
 ///
 /// `Metric_tensor_2` is the type of the traits. Tensors and indices are not
-/// asked for before they are set.
+/// asked for before they are set; a new vertex is not required.
 ///
 /// \cgalRefines{TriangulationVertexBase_2}
 ///
@@ -24,4 +24,9 @@ public:
   int index() const;
   /// sets the index; the triangulation does so when it inserts the vertex.
   void set_index(int i);
+
+  /// whether algorithms must neither move nor remove the vertex.
+  bool is_required() const;
+  /// sets whether the vertex is required.
+  void set_required(bool b);
 };

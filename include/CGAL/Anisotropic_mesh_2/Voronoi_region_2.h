@@ -30,7 +30,7 @@ struct Voronoi_region_2
 
   Vertex_handle                     vertex;            ///< the generator in the mesh
   Point_2                           generator;         ///< its position
-  bool                              is_fixed = false;  ///< whether the generator ends a constrained edge
+  bool                              is_fixed = false;  ///< whether the generator is a fixed vertex of the mesh
   double                            area = 0;          ///< the Euclidean area of all pieces
   std::vector<Voronoi_piece_2<K> >  pieces;            ///< the main ones first
   /// triangles that make up the region, counterclockwise; next to bisectors

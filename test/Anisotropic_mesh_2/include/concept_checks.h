@@ -144,6 +144,8 @@ constexpr bool models_vertex_base()
   SAME_TYPE(std::declval<Vertex&>().set_metric_tensor(a_const<Tensor>()), void);
   SAME_TYPE(a_const<Vertex>().index(), int);
   SAME_TYPE(std::declval<Vertex&>().set_index(1), void);
+  SAME_TYPE(a_const<Vertex>().is_required(), bool);
+  SAME_TYPE(std::declval<Vertex&>().set_required(true), void);
   return true;
 }
 
@@ -158,6 +160,8 @@ constexpr bool models_face_base()
   SAME_TYPE(std::declval<Face&>().set_in_domain(true), void);
   SAME_TYPE(a_const<Face>().subdomain_index(), int);
   SAME_TYPE(std::declval<Face&>().set_subdomain_index(-1), void);
+  SAME_TYPE(a_const<Face>().edge_reference(2), int);
+  SAME_TYPE(std::declval<Face&>().set_edge_reference(2, -1), void);
   return true;
 }
 

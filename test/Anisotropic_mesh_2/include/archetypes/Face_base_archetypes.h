@@ -81,9 +81,29 @@ public:
   int subdomain_index() const { return m_subdomain_index; }
   void set_subdomain_index(int i) { m_subdomain_index = i; }
 
+  int edge_reference(int i) const { return m_edge_references[i]; }
+  void set_edge_reference(int i, int reference) { m_edge_references[i] = reference; }
+
+  void reorient()
+  {
+    Fb::reorient();
+    m_edge_references = {{m_edge_references[1], m_edge_references[0], m_edge_references[2]}};
+  }
+  void ccw_permute()
+  {
+    Fb::ccw_permute();
+    m_edge_references = {{m_edge_references[2], m_edge_references[0], m_edge_references[1]}};
+  }
+  void cw_permute()
+  {
+    Fb::cw_permute();
+    m_edge_references = {{m_edge_references[1], m_edge_references[2], m_edge_references[0]}};
+  }
+
 private:
-  bool m_is_in_domain = true; // wrong: both must be set before they are used
-  int  m_subdomain_index = -12345;
+  bool m_is_in_domain = false;
+  int  m_subdomain_index = -12345; // not used before it is set
+  std::array<int, 3> m_edge_references = {{0, 0, 0}};
 };
 
 // What writers need of faces.

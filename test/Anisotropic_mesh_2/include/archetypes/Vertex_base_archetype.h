@@ -40,10 +40,14 @@ public:
   int index() const { return m_index; }
   void set_index(int i) { m_index = i; }
 
+  bool is_required() const { return m_is_required; }
+  void set_required(bool b) { m_is_required = b; }
+
 private:
   Point  m_point;
   Tensor m_tensor;
   int    m_index = (std::numeric_limits<int>::max)(); // must not be used
+  bool   m_is_required = false;
 };
 
 #endif // ANISOTROPIC_MESH_2_TEST_ARCHETYPES_VERTEX_BASE_ARCHETYPE_H

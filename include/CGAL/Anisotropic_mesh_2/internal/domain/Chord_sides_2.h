@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/Domain_rule.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/flood.h>
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
@@ -110,21 +111,17 @@ private:
 
   void toggle_at_boundary()
   {
-    std::vector<Face_handle> stack(1, m_triangulation.infinite_face());
-    stack.back()->info() = Mark{true, false};
-    while(!stack.empty()) {
-      const Face_handle f = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 3; ++i) {
-        const Face_handle g = f->neighbor(i);
-        if(g->info().visited)
-          continue;
-        const bool toggles = f->is_constrained(i)
-                          && m_pieces[m_graph.chords()[chord(f, i)].piece].role == Piece_role::BOUNDARY;
-        g->info() = Mark{true, f->info().inside != toggles};
-        stack.push_back(g);
-      }
-    }
+    const Face_handle outside = m_triangulation.infinite_face();
+    outside->info() = Mark{true, false};
+    flood(std::vector<Face_handle>(1, outside), [this](Face_handle f, int i) {
+      const Face_handle g = f->neighbor(i);
+      if(g->info().visited)
+        return false;
+      const bool toggles = f->is_constrained(i)
+                        && m_pieces[m_graph.chords()[chord(f, i)].piece].role == Piece_role::BOUNDARY;
+      g->info() = Mark{true, f->info().inside != toggles};
+      return true;
+    });
   }
 
   // A hole on a chord has no side; all vertices are ends of chords.
@@ -140,22 +137,18 @@ private:
 
   void flood_from_outside(const std::vector<typename K::Point_2>& holes)
   {
-    std::vector<Face_handle> stack(1, m_triangulation.infinite_face());
+    std::vector<Face_handle> outside(1, m_triangulation.infinite_face());
     for(const auto& seed : holes)
-      stack.push_back(face_at(seed));
-    for(const Face_handle f : stack)
+      outside.push_back(face_at(seed));
+    for(const Face_handle f : outside)
       f->info() = Mark{true, false};
-    while(!stack.empty()) {
-      const Face_handle f = stack.back();
-      stack.pop_back();
-      for(int i = 0; i < 3; ++i) {
-        const Face_handle g = f->neighbor(i);
-        if(g->info().visited || f->is_constrained(i))
-          continue;
+    flood(outside, [](Face_handle f, int i) {
+      const Face_handle g = f->neighbor(i);
+      const bool enters = !g->info().visited && !f->is_constrained(i);
+      if(enters)
         g->info() = Mark{true, false};
-        stack.push_back(g);
-      }
-    }
+      return enters;
+    });
   }
 
   // the face lies to the left of its edges in counterclockwise order

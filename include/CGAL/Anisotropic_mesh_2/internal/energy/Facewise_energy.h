@@ -11,7 +11,6 @@
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Face_block_assembler.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Bisector_hessian.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 
 #include <algorithm>
@@ -62,7 +61,7 @@ private:
 
   double assemble(std::vector<Region_moments>& moments, Bisector_hessian* couplings)
   {
-    faces_in_domain(m_mesh, m_faces);
+    m_faces = m_mesh.faces_in_domain();
     moments.assign(m_mesh.vertex_index_bound(), Region_moments());
     return assemble(m_faces, moments, couplings);
   }

@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_KERNEL_TRIANGULATION_CHECKER_2_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/face_marks.h>
 
 #include <CGAL/enum.h>
 
@@ -44,8 +45,8 @@ private:
     if(!m_t.tds().is_valid(verbose, level))
       return "the data structure is not valid";
     if(m_t.dimension() == 2) {
-      if(!has_matching_constraints())
-        return "an edge is constrained from one side only";
+      if(!has_matching_edges())
+        return "an edge is constrained or has a reference from one side only";
       if(!has_counterclockwise_faces())
         return "a face is not counterclockwise";
       if(!has_convex_hull())
@@ -60,12 +61,13 @@ private:
     return nullptr;
   }
 
-  bool has_matching_constraints() const
+  bool has_matching_edges() const
   {
     for(auto f = m_t.all_faces_begin(); f != m_t.all_faces_end(); ++f)
       for(int i = 0; i < 3; ++i) {
         const Edge e = m_t.mirror_edge(Edge(f, i));
-        if(f->is_constrained(i) != e.first->is_constrained(e.second))
+        const Edge_mark mark = edge_mark(*f, i);
+        if(!(mark == edge_mark(*e.first, e.second)) || (!mark.is_constrained && mark.reference != 0))
           return false;
       }
     return true;

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_KERNEL_VERTEX_REMOVER_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_KERNEL_VERTEX_REMOVER_2_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/face_marks.h>
+
 #include <CGAL/enum.h>
 
 #include <cstddef>
@@ -14,7 +16,7 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// Removes a vertex that ends no constrained edge from a triangulation of
+// Removes a vertex that is not fixed from a triangulation of
 // dimension 2 that keeps its dimension.
 //
 // Edges of the vertex are flipped away while that is possible; what remains of
@@ -161,7 +163,7 @@ private:
     const Face_handle inner = f->neighbor(i), outer = f->neighbor(j);
     const int k = m_t.mirror_index(f, i);
     m_t.tds().set_adjacency(inner, k, outer, m_t.mirror_index(f, j));
-    inner->set_constraint(k, f->is_constrained(j));
+    set_edge_mark(*inner, k, edge_mark(*f, j));
     f->vertex(3 - i - j)->set_face(inner);
   }
 

@@ -9,7 +9,6 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Weighted_tensor.h>
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 
@@ -149,9 +148,7 @@ void restore_connectivity(Mesh& mesh, const std::vector<typename Mesh::Face_hand
 template <class Mesh>
 void restore_connectivity(Mesh& mesh)
 {
-  std::vector<typename Mesh::Face_handle> faces;
-  faces_in_domain(mesh, faces);
-  restore_connectivity<Sequential_tag>(mesh, faces);
+  restore_connectivity<Sequential_tag>(mesh, mesh.faces_in_domain());
 }
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

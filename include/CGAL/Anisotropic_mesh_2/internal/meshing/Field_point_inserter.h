@@ -124,7 +124,7 @@ private:
       return;
     if(m_mesh.number_of_vertices() >= m_limit)
       throw Too_many_vertices_exception(double(m_limit) + 1, m_limit);
-    const Vertex_handle v = m_mesh.insert_field_point(p, m, m_cavity);
+    const Vertex_handle v = m_mesh.insert_in_cavity(p, m, m_cavity);
     m_new_vertices.push_back(v);
     hint = v->face();
   }

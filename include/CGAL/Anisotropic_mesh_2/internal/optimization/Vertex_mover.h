@@ -7,7 +7,6 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/faces_in_domain.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
@@ -29,10 +28,8 @@ class Vertex_mover
 
 public:
   explicit Vertex_mover(Mesh& mesh)
-    : m_mesh(mesh), m_free(mesh)
-  {
-    faces_in_domain(mesh, m_faces);
-  }
+    : m_mesh(mesh), m_free(mesh), m_faces(mesh.faces_in_domain())
+  {}
 
   const Free_vertices<Mesh>& free_vertices() const { return m_free; }
 

@@ -80,10 +80,7 @@ private:
       const Face_handle f = mesh.locate(p, lt, li, hint);
       if(!mesh.is_field_point(lt, f, li))
         continue;
-      typename Mesh::Cavity cavity;
-      const auto m = mesh.geom_traits().construct_metric_tensor_2_object()(p);
-      mesh.find_cavity(p, m, lt, f, li, cavity);
-      return mesh.insert_field_point(p, m, cavity);
+      return mesh.insert(p, lt, f, li);
     }
     return Vertex_handle();
   }

@@ -40,7 +40,7 @@ public:
     Point           point;
     Metric_tensor_2 tensor;
     Vertex_handle   handle;         // none if the mesh does not have it yet
-    bool            is_free = true; // not on the rim
+    bool            is_free = true; // neither fixed nor on the rim
 
     Vertex(const Point& p, const Metric_tensor_2& m) : point(p), tensor(m) {}
     explicit Vertex(Vertex_handle v) : point(v->point()), tensor(v->metric_tensor()), handle(v) {}
@@ -186,6 +186,7 @@ private:
       if(m_vertices[i].handle == v)
         return i;
     m_vertices.push_back(Vertex(v));
+    m_vertices.back().is_free = !m_mesh->is_fixed(v);
     m_face_of.push_back(none);
     return number_of_vertices() - 1;
   }

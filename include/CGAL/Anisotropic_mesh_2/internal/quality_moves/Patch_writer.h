@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_PATCH_WRITER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_PATCH_WRITER_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/face_marks.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ class Patch_writer
     int         source, target;
     Face_handle face;
     int         index;
-    bool        is_constrained;
+    Edge_mark   mark;
     bool        is_in_patch;
   };
 
@@ -64,7 +65,7 @@ private:
         if(is_in_patch && !f->is_constrained(i))
           continue;
         const auto& e = patch.rim()[rank++]; // which has the same order
-        m_outside.push_back({e.source, e.target, g, m_mesh.mirror_index(f, i), f->is_constrained(i), is_in_patch});
+        m_outside.push_back({e.source, e.target, g, m_mesh.mirror_index(f, i), edge_mark(*f, i), is_in_patch});
       }
   }
 
@@ -98,8 +99,7 @@ private:
   // Finds a place for each face that is used, and gives up those that are left over.
   void provide_faces(const Patch& patch)
   {
-    const bool is_in_domain = m_old.front()->is_in_domain();
-    const int subdomain = m_old.front()->subdomain_index();
+    const Region_mark region = region_mark(*m_old.front());
     std::size_t reused = 0;
     for(const auto& f : patch.faces()) {
       Face_handle g;
@@ -107,8 +107,7 @@ private:
         g = m_old[reused++];
       else if(f.is_used) {
         g = m_mesh.tds().create_face();
-        g->set_in_domain(is_in_domain);
-        g->set_subdomain_index(subdomain);
+        set_region_mark(*g, region);
       }
       m_faces.push_back(g);
     }
@@ -124,7 +123,7 @@ private:
       to->set_vertex(i, m_vertices[from.vertex[i]]);
       to->vertex(i)->set_face(to);
       to->set_neighbor(i, from.neighbor[i] == Patch::none ? Face_handle() : m_faces[from.neighbor[i]]);
-      to->set_constraint(i, false);
+      set_edge_mark(*to, i, Edge_mark());
     }
   }
 
@@ -132,7 +131,7 @@ private:
   {
     const std::array<int, 2> inside = patch.rim_edge(o.source, o.target);
     const Face_handle f = m_faces[inside[0]];
-    f->set_constraint(inside[1], o.is_constrained);
+    set_edge_mark(*f, inside[1], o.mark);
     if(o.is_in_patch) // on both sides of a constrained edge; the other one has its own turn
       f->set_neighbor(inside[1], m_faces[patch.rim_edge(o.target, o.source)[0]]);
     else

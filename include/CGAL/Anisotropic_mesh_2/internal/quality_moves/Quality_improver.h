@@ -104,8 +104,8 @@ private:
   std::vector<Bad_face> bad_faces() const
   {
     std::vector<Bad_face> result;
-    for(auto f = m_mesh.finite_faces_begin(); f != m_mesh.finite_faces_end(); ++f) {
-      const double q = f->is_in_domain() ? quality(f) : 1;
+    for(Face_handle f : m_mesh.faces_in_domain()) {
+      const double q = quality(f);
       if(q >= target)
         continue;
       Bad_face b{q, {{f->vertex(0)->index(), f->vertex(1)->index(), f->vertex(2)->index()}}};
@@ -194,7 +194,7 @@ private:
       if(last != Vertex_handle()) {
         while(gap < m_vertex.size() && m_vertex[gap] != Vertex_handle())
           ++gap;
-        if(gap == m_vertex.size() || m_mesh.is_fixed(last)) // whose edges are known by its index
+        if(gap == m_vertex.size() || m_mesh.is_fixed(last)) // which keeps its index
           break;
         last->set_index(int(gap));
         m_vertex[gap] = last;

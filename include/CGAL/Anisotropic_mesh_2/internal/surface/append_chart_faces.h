@@ -32,9 +32,8 @@ void append_chart_faces(const Mesh& mesh, const Chart& chart, std::map<typename 
     const Vector_of_doubles q = chart.parameters(to_doubles(p));
     return numbers[p] = surface_mesh.add_vertex(point_at<Point>(q.x, q.y));
   };
-  for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
-    if(f->is_in_domain())
-      faces.push_back({number(f->vertex(0)->point()), number(f->vertex(1)->point()), number(f->vertex(2)->point())});
+  for(const auto f : mesh.faces_in_domain())
+    faces.push_back({number(f->vertex(0)->point()), number(f->vertex(1)->point()), number(f->vertex(2)->point())});
 }
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

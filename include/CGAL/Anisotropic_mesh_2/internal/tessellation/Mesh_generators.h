@@ -70,16 +70,10 @@ private:
 
   Generator_set collect(const Mesh& mesh, const Distance& distance)
   {
-    std::vector<bool> is_used(mesh.vertex_index_bound(), false);
-    for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
-      for(int i = 0; i < 3 && f->is_in_domain(); ++i)
-        is_used[f->vertex(i)->index()] = true;
-    m_numbers.assign(is_used.size(), static_cast<std::size_t>(-1));
+    m_numbers.assign(mesh.vertex_index_bound(), static_cast<std::size_t>(-1));
     Vectors positions;
     std::vector<Symmetric_form> tensors;
-    for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v) {
-      if(!is_used[v->index()])
-        continue;
+    for(Vertex_handle v : mesh.vertices_in_domain()) {
       m_numbers[v->index()] = m_vertices.size();
       m_vertices.push_back(v);
       positions.push_back(to_doubles(v->point()));
