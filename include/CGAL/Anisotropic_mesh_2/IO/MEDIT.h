@@ -112,7 +112,7 @@ void write_MEDIT(const std::string& file, const Anisotropic_mesh_2::Planar_strai
 /// (else 0 is written). If it has a member `int edge_reference(Edge) const`,
 /// this is the default for `edge_reference`; else the default is 1.
 /// \tparam EdgeReference a functor, as `edge_reference` is
-/// \param os the stream, whose state tells whether all was written
+/// \param os the stream, whose state shows whether everything was written
 /// \param tr the triangulation
 /// \param edge_reference a functor `int(const Tr::Edge&)`
 template <template <class...> class Tr, class... Parameters,

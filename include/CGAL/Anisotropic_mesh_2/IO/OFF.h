@@ -24,7 +24,7 @@ namespace CGAL::IO {
 ///
 /// \tparam Mesh,Parameters an instance of `Anisotropic_surface_mesh_3`, or of the class template of a
 /// triangulation of \cgal whose faces have a member `bool is_in_domain() const`
-/// \param os the stream, whose state tells whether all was written
+/// \param os the stream, whose state shows whether everything was written
 /// \param mesh the triangulation or the mesh
 template <template <class...> class Mesh, class... Parameters,
           class = Anisotropic_mesh_2::internal::If_soup<Mesh<Parameters...>>>

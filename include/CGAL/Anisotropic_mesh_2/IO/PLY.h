@@ -22,7 +22,7 @@ namespace CGAL::IO {
 /// writes the faces of the domain of a triangulation, with `z = 0`, or a mesh of a surface in the
 /// Polygon File Format (`.ply`), as text with all digits.
 /// \tparam Mesh,Parameters as for `write_OFF()`
-/// \param os the stream, whose state tells whether all was written
+/// \param os the stream, whose state shows whether everything was written
 /// \param mesh the triangulation or the mesh
 template <template <class...> class Mesh, class... Parameters,
           class = Anisotropic_mesh_2::internal::If_soup<Mesh<Parameters...>>>

@@ -45,7 +45,7 @@ namespace IO {
 /// \tparam Tr a constrained triangulation of \cgal whose faces have a member
 /// `bool is_in_domain() const` and possibly `int subdomain_index() const`; references of edges are those
 /// that `write_MEDIT()` writes
-/// \param os the stream, whose state tells whether all was written
+/// \param os the stream, whose state shows whether everything was written
 /// \param tr the triangulation
 /// \param title what the line of text below the picture begins with; may be empty
 /// \param window the part of the plane that is shown; all if it is empty

@@ -24,12 +24,12 @@ namespace CGAL::IO {
 
 /// writes the domain of a triangulation in the format of VTK (`.vtu`), with
 /// `z = 0`: its faces, counterclockwise, and as line cells the edges that are
-/// constrained or bound the domain. Unlike the function of the package \ref PkgMesh2,
+/// constrained or bound the domain. Unlike the function of \cgal's package Mesh_2,
 /// before which it is chosen, it leaves out vertices and edges outside of the domain.
 ///
 /// \tparam Tr,Parameters an instance of the class template of a constrained triangulation of \cgal
 /// whose faces have a member `bool is_in_domain() const`
-/// \param os the stream, whose state tells whether all was written
+/// \param os the stream, whose state shows whether everything was written
 /// \param tr the triangulation
 /// \param mode whether numbers are written in binary form or as text, `BINARY` or `ASCII`
 template <template <class...> class Tr, class... Parameters,
