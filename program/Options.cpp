@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <locale>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace program {
@@ -27,7 +29,7 @@ struct Raw_options
   std::string domain;
   std::map<std::string, std::string> metric;   // by the name of the option, with its dashes
   std::vector<std::string> outputs;
-  std::vector<double> window;
+  std::string window;
   bool quiet = false, verbose = false;
 };
 
@@ -127,7 +129,7 @@ void declare_output(CLI::App& app, Options& options, Raw_options& raw)
   app.add_option("--voronoi", options.voronoi, "a picture of the tessellation")
     ->type_name("FILE.svg")->group(group);
   app.add_option("--window", raw.window, "the part of the plane that .svg files show, XMIN,YMIN,XMAX,YMAX; default all")
-    ->type_name("NUMBERS")->group(group)->delimiter(',')->expected(4);
+    ->type_name("NUMBERS")->group(group);
   app.add_option("--stats", options.stats,
                  "statistics, - for standard output, which is the default if no output is asked for")
     ->type_name("FILE.json")->group(group);
@@ -147,14 +149,22 @@ Output output_of(const std::string& path)
   return Output{path, format->second};
 }
 
-void understand_window(const std::vector<double>& window, Options& options)
+void understand_window(const std::string& text, Options& options)
 {
-  if(window.empty())
+  if(text.empty())
     return;
-  const bool is_finite = std::all_of(window.begin(), window.end(), [](double x) { return std::isfinite(x); });
-  if(!is_finite || !(window[0] < window[2]) || !(window[1] < window[3]))
-    throw Unusable_input("--window: needs XMIN < XMAX and YMIN < YMAX");
-  options.window = CGAL::Bbox_2(window[0], window[1], window[2], window[3]);
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
+  double bounds[4] = {};
+  char comma = ',';
+  for(int i = 0; i < 4 && comma == ','; ++i) {
+    in >> bounds[i];
+    if(i < 3)
+      in >> comma;
+  }
+  if(!in || comma != ',' || !in.eof() || !(bounds[0] < bounds[2]) || !(bounds[1] < bounds[3]))
+    throw Unusable_input("--window " + text + ": needs XMIN,YMIN,XMAX,YMAX with XMIN < XMAX and YMIN < YMAX");
+  options.window = CGAL::Bbox_2(bounds[0], bounds[1], bounds[2], bounds[3]);
 }
 
 void understand_outputs(const Raw_options& raw, Options& options)

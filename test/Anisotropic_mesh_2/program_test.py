@@ -240,11 +240,12 @@ def test_outputs(t):
         t.check(root.tag.endswith("svg") and len(list(root.iter())) > 2, f"{name}: {root.tag}")
 
     t.run("builtin:parallelogram", "--optimizer", "none", "-o", "w.svg", "--voronoi", "v.svg",
-          "--window", "-0.1,0,0.2,0.1")
+          "--window=-0.1,0,0.2,0.1")
     for whole, part in (("a.svg", "w.svg"), ("cells.svg", "v.svg")):
         t.check("<svg x=" in t.read(part) and len(t.read(part)) < len(t.read(whole)), f"a window in {part}")
     t.refuse(["--window", "XMIN < XMAX"], "builtin:disc", "-o", "a.svg", "--window", "1,1,0,0")
-    t.refuse(["--window"], "builtin:disc", "-o", "a.svg", "--window", "1,1,0")
+    for window in ("1,1,0", "1,1,0,x", "0,0,1,1,1", "0;0;1;1", "0,0,inf,1"):
+        t.refuse(["--window " + window], "builtin:disc", "-o", "a.svg", "--window", window)
 
     result = t.run("builtin:parallelogram", "--iterations", "5", "--stats", "s.json")
     t.check(result.returncode == 0 and result.stdout == "" and result.stderr == "", "--stats FILE prints nothing")
