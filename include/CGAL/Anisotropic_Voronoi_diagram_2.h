@@ -10,8 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Mesh_generators.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
-#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Polyline_chainer.h>
-#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_assembler.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_pieces.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_subdivision.h>
 #include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
@@ -98,11 +97,9 @@ public:
     : m_mesh(mesh), m_generators(mesh, distance)
   {
     CGAL_precondition(tolerance >= 1e-9 && tolerance <= 0.1);
-    const auto place_at = [this](const Vector& x) { return m_generators.place_at(x); };
-    typedef Anisotropic_mesh_2::internal::Region_subdivision<Mesh, decltype(place_at), ConcurrencyTag> Subdivision;
-    const Subdivision subdivision(mesh, m_generators.set(), m_generators.numbers(), place_at, tolerance);
-    const Anisotropic_mesh_2::internal::Region_assembler<Subdivision> assembler(subdivision, m_generators.set().size());
-    take_regions(assembler);
+    const Subdivision subdivision(mesh, m_generators, tolerance);
+    const Pieces pieces(subdivision);
+    take_regions(pieces);
     collect_neighbors();
   }
   /// @}
@@ -209,17 +206,15 @@ public:
 private:
   typedef Anisotropic_mesh_2::internal::Vector_of_doubles   Vector;
   typedef Anisotropic_mesh_2::internal::Triangle_of_doubles Triangle;
-  typedef Anisotropic_mesh_2::internal::Link                Link;
-  typedef Anisotropic_mesh_2::internal::Polyline_chainer    Chainer;
+  typedef Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance>             Generators;
+  typedef Anisotropic_mesh_2::internal::Region_subdivision<Generators, ConcurrencyTag> Subdivision;
+  typedef Anisotropic_mesh_2::internal::Region_pieces<Subdivision>                  Pieces;
+  typedef typename Subdivision::Vertex_handle               Subdivision_vertex;
+  typedef typename Subdivision::Face_handle                 Subdivision_face;
+  typedef typename Subdivision::Edge                        Subdivision_edge;
+  typedef typename Pieces::Border                           Border;
 
   static constexpr std::size_t regions_of_chunk = 128;
-
-  // a segment of the boundary of a piece, and the piece on its right
-  struct Border
-  {
-    Link        link;
-    std::size_t beyond;
-  };
 
   static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
 
@@ -237,92 +232,84 @@ private:
     return result;
   }
 
-  // Bisectors are those of each region with the regions after it, in the order of the regions.
-  template <class Assembler>
-  void take_regions(const Assembler& assembler)
+  // Bisectors are those of each piece with the pieces after it, in the order of the regions.
+  void take_regions(const Pieces& pieces_of)
   {
     using namespace Anisotropic_mesh_2::internal;
     const std::size_t n = m_generators.set().size();
     m_regions.resize(n);
+    std::vector<std::vector<Border> > borders(n);
+    for_each_chunk<ConcurrencyTag>(n, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for(std::size_t i = begin; i < end; ++i)
+        take_region(pieces_of, i, borders[i]);
+    }, regions_of_chunk);
+
     std::vector<std::vector<Bisector> > bisectors(number_of_chunks(n, regions_of_chunk));
     for_each_chunk<ConcurrencyTag>(n, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i)
-        take_region(assembler, i, bisectors[chunk]);
+        for(const Border& b : borders[i])
+          take_bisectors(b, bisectors[chunk]);
     }, regions_of_chunk);
     m_bisectors = joined(std::move(bisectors));
   }
 
-  template <class Assembler>
-  void take_region(const Assembler& assembler, std::size_t i, std::vector<Bisector>& bisectors)
+  void take_region(const Pieces& pieces_of, std::size_t i, std::vector<Border>& borders)
   {
     Region& r = m_regions[i];
     r.vertex = m_generators.vertices()[i];
     r.generator = r.vertex->point();
     r.is_fixed = m_mesh.is_fixed(r.vertex);
-    for(std::size_t p = assembler.first_piece(i); p < assembler.first_piece(i + 1); ++p) {
-      std::vector<Border> borders;
-      assembler.for_each_border(p, [&](const Link& link, std::size_t beyond) { borders.push_back({link, beyond}); });
+    for(const auto& p : pieces_of(i)) {
       Piece piece;
-      piece.is_main = assembler.is_main(p);
-      piece.area = take_tiles(assembler, p, r.tiles);
-      piece.boundaries = boundaries(assembler, borders);
+      piece.is_main = p.is_main;
+      for(Subdivision_face f : p.faces) {
+        const Triangle t = Subdivision::triangle(f);
+        r.tiles.push_back({point(t[0]), point(t[1]), point(t[2])});
+        piece.area += Anisotropic_mesh_2::internal::area(t);
+      }
+      for(Border& b : pieces_of.borders(p)) {
+        piece.boundaries.push_back(points(b.begin(), b.end()));
+        borders.push_back(std::move(b));
+      }
       r.area += piece.area;
       r.pieces.push_back(std::move(piece));
-      take_bisectors(assembler, p, std::move(borders), bisectors);
     }
   }
 
-  // Returns the area of the piece.
-  template <class Assembler>
-  static double take_tiles(const Assembler& assembler, std::size_t piece, std::vector<typename Region::Tile>& tiles)
+  // The bisectors are where the face beyond the border stays in the same piece of another region.
+  void take_bisectors(Border border, std::vector<Bisector>& bisectors) const
   {
-    double sum = 0;
-    assembler.for_each_triangle(piece, [&](const Triangle& t) {
-      tiles.push_back({point(t[0]), point(t[1]), point(t[2])});
-      sum += Anisotropic_mesh_2::internal::area(t);
-    });
-    return sum;
-  }
-
-  template <class Assembler>
-  static std::vector<std::vector<Point_2> > boundaries(const Assembler& assembler, const std::vector<Border>& borders)
-  {
-    std::vector<Link> links;
-    for(const Border& b : borders)
-      links.push_back(b.link);
-    std::vector<std::vector<Point_2> > result;
-    for(const Chainer::Line& line : Chainer(std::move(links), assembler.points())())
-      result.push_back(points(assembler, line));
-    return result;
-  }
-
-  // The bisectors of the piece with the pieces after it.
-  template <class Assembler>
-  static void take_bisectors(const Assembler& assembler, std::size_t piece, std::vector<Border> borders,
-                             std::vector<Bisector>& bisectors)
-  {
-    std::sort(borders.begin(), borders.end(), [](const Border& b, const Border& c) { return b.beyond < c.beyond; });
-    for(std::size_t i = 0; i < borders.size();) {
-      const std::size_t beyond = borders[i].beyond;
-      std::vector<Link> links;
-      for(; i < borders.size() && borders[i].beyond == beyond; ++i)
-        links.push_back(borders[i].link);
-      if(beyond < piece || beyond == Assembler::outside)
+    typedef std::pair<std::size_t, std::size_t> Region_and_piece;
+    const auto piece = [](Subdivision_face f) { return Region_and_piece(f->region, f->piece); };
+    const auto beyond = [&](const Subdivision_edge& e) { return piece(e.first->neighbor(e.second)); };
+    const auto is_main = [&](const Region_and_piece& p) { return m_regions[p.first].pieces[p.second].is_main; };
+    const auto change = std::adjacent_find(border.begin(), border.end(), [&](const auto& d, const auto& e)
+                                           { return beyond(d) != beyond(e); });
+    const bool is_closed = change == border.end();
+    if(!is_closed)
+      std::rotate(border.begin(), change + 1, border.end());
+    for(auto first = border.begin(), last = first; first != border.end(); first = last) {
+      last = std::find_if(first, border.end(), [&](const auto& e) { return beyond(e) != beyond(*first); });
+      const Region_and_piece left = piece(first->first), right = beyond(*first);
+      if(right.first == Subdivision::outside || right < left)
         continue;
-      const bool are_main = assembler.is_main(piece) && assembler.is_main(beyond);
-      for(const Chainer::Line& line : Chainer(std::move(links), assembler.points())())
-        bisectors.push_back(Bisector{{assembler.region(piece), assembler.region(beyond)}, are_main, line.is_closed,
-                                     points(assembler, line)});
+      Bisector b{{left.first, right.first}, is_main(left) && is_main(right), is_closed, points(first, last)};
+      if(!is_closed)
+        b.points.push_back(point(Subdivision::position(target(*std::prev(last)))));
+      bisectors.push_back(std::move(b));
     }
   }
 
-  template <class Assembler>
-  static std::vector<Point_2> points(const Assembler& assembler, const Chainer::Line& line)
+  static Subdivision_vertex source(const Subdivision_edge& e) { return e.first->vertex(Mesh::ccw(e.second)); }
+  static Subdivision_vertex target(const Subdivision_edge& e) { return e.first->vertex(Mesh::cw(e.second)); }
+
+  // the points at which the edges begin
+  template <class Iterator>
+  static std::vector<Point_2> points(Iterator first, Iterator last)
   {
     std::vector<Point_2> result;
-    result.reserve(line.points.size());
-    for(std::size_t i : line.points)
-      result.push_back(point(assembler.points()[i]));
+    for(; first != last; ++first)
+      result.push_back(point(Subdivision::position(source(*first))));
     return result;
   }
 
@@ -340,11 +327,11 @@ private:
     }
   }
 
-  const Mesh&                                                   m_mesh;
-  Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance> m_generators;
-  std::vector<Region>                                           m_regions;
-  std::vector<Bisector>                                         m_bisectors;
-  std::vector<std::vector<std::size_t> >                        m_neighbors;
+  const Mesh&                            m_mesh;
+  Generators                             m_generators;
+  std::vector<Region>                    m_regions;
+  std::vector<Bisector>                  m_bisectors;
+  std::vector<std::vector<std::size_t> > m_neighbors;
 };
 
 } // namespace CGAL

@@ -9,7 +9,6 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Mesh_generators.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
-#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_assembler.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_integrator.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_subdivision.h>
@@ -57,16 +56,13 @@ private:
 
   std::vector<Region_sum> integrate(const Generators& generators) const
   {
-    const auto place_at = [&](const Vector_of_doubles& x) { return generators.place_at(x); };
-    typedef Region_subdivision<Mesh, decltype(place_at), ConcurrencyTag> Subdivision;
-    const Subdivision subdivision(m_mesh, generators.set(), generators.numbers(), place_at, m_tolerance);
-    const Region_assembler<Subdivision> assembler(subdivision, generators.set().size());
+    const Region_subdivision<Generators, ConcurrencyTag> subdivision(m_mesh, generators, m_tolerance);
     std::vector<Region_sum> sums(generators.set().size());
     for_each_chunk<ConcurrencyTag>(sums.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i) {
         std::vector<Triangle_of_doubles> triangles;
-        for(std::size_t p = assembler.first_piece(i); p < assembler.first_piece(i + 1); ++p)
-          assembler.for_each_triangle(p, [&](const Triangle_of_doubles& t) { triangles.push_back(t); });
+        for(auto f : subdivision.faces(i))
+          triangles.push_back(subdivision.triangle(f));
         double error;
         sums[i] = generators.integrate(i, triangles, m_measure, m_tolerance, error);
       }

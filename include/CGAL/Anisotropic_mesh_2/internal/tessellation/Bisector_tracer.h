@@ -19,13 +19,13 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // Finds points on the bisectors of generators.
-template <class Place_at>
+template <class Generators>
 class Bisector_tracer
 {
 public:
   // `tolerance` is how far chords may be from the bisectors, relative to the distance to the generators
-  Bisector_tracer(const Generator_set& generators, const Place_at& place_at, double tolerance)
-    : m_generators(generators), m_place_at(place_at), m_tolerance(tolerance)
+  Bisector_tracer(const Generators& generators, double tolerance)
+    : m_places(generators), m_generators(generators.set()), m_tolerance(tolerance)
   {}
 
   // The point of the bisector of i and j between p, which is nearer to i, and
@@ -36,7 +36,7 @@ public:
       return crossing(q, p, j, i);
     const auto at = [&](double t)
     { return Vector_of_doubles{p.at.x + t * (q.at.x - p.at.x), p.at.y + t * (q.at.y - p.at.y)}; };
-    const auto excess = [&](double t) { return m_generators.difference(m_place_at(at(t)), i, j); };
+    const auto excess = [&](double t) { return m_generators.difference(m_places.place_at(at(t)), i, j); };
     const double at_p = m_generators.difference(p, i, j), at_q = m_generators.difference(q, i, j);
     if(!(at_p < 0))
       return p;
@@ -44,13 +44,13 @@ public:
       return q;
     const double middle = excess(0.5);
     if(middle == 0) // as between two generators
-      return m_place_at(at(0.5));
+      return m_places.place_at(at(0.5));
     std::uintmax_t steps = 60;
     const boost::math::tools::eps_tolerance<double> is_narrow(50);
     const auto bracket = middle < 0
       ? boost::math::tools::toms748_solve(excess, 0.5, 1., middle, at_q, is_narrow, steps)
       : boost::math::tools::toms748_solve(excess, 0., 0.5, at_p, middle, is_narrow, steps);
-    return m_place_at(at((bracket.first + bracket.second) / 2));
+    return m_places.place_at(at((bracket.first + bracket.second) / 2));
   }
 
   // Whether Newton's method finds, from the middle of the face on, a point
@@ -69,7 +69,7 @@ public:
       std::array<double, 2> du, dv;
       for(int k = 0; k < 2; ++k) {
         way[k] = {step * (corner[k]->at.x - result.at.x), step * (corner[k]->at.y - result.at.y)};
-        const Place p = m_place_at({result.at.x + way[k].x, result.at.y + way[k].y});
+        const Place p = m_places.place_at({result.at.x + way[k].x, result.at.y + way[k].y});
         du[k] = m_generators.difference(p, label[0], label[1]) - u;
         dv[k] = m_generators.difference(p, label[0], label[2]) - v;
       }
@@ -80,7 +80,7 @@ public:
       if(!contains(next))
         return false;
       const double length = m_generators.tensor(result, label[0])(d.x, d.y);
-      result = m_place_at(next);
+      result = m_places.place_at(next);
       if(length <= 1e-24 * m_generators.squared_distance(result, label[0]))
         return true;
     }
@@ -103,7 +103,7 @@ private:
   bool trace(const Vector_of_doubles& from, const Vector_of_doubles& to, std::size_t i, std::size_t j,
              const Contains& contains, int depth, Vectors& curve) const
   {
-    const Place middle = m_place_at({(from.x + to.x) / 2, (from.y + to.y) / 2});
+    const Place middle = m_places.place_at({(from.x + to.x) / 2, (from.y + to.y) / 2});
     Place p = middle;
     const Vector_of_doubles chord = {to.x - from.x, to.y - from.y};
     const bool is_on_bisector = project(p, i, j, chord, contains);
@@ -144,7 +144,7 @@ private:
       p.at = {start.at.x + next_t * unit * across.x, start.at.y + next_t * unit * across.y};
       if(!contains(p.at))
         return false;
-      p = m_place_at(p.at);
+      p = m_places.place_at(p.at);
       old_t = t;
       old_excess = excess;
       t = next_t;
@@ -155,8 +155,8 @@ private:
     return false;
   }
 
+  const Generators&    m_places;
   const Generator_set& m_generators;
-  const Place_at&      m_place_at;
   const double         m_tolerance;
 };
 

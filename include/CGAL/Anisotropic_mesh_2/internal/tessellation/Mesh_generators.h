@@ -23,13 +23,16 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 
 // The vertices of the domain of a mesh as generators of a tessellation, with
 // the distances to them and the integrals over their regions.
-template <class Mesh, class Distance>
+template <class Mesh_, class Distance>
 class Mesh_generators
 {
+public:
+  typedef Mesh_                        Mesh;
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Point         Point_2;
 
-public:
+  static constexpr bool is_measured_at_generators = Distance::is_measured_at_generators;
+
   Mesh_generators(const Mesh& mesh, const Distance& distance)
     : m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()), m_set(collect(mesh, distance))
   {}
@@ -42,9 +45,21 @@ public:
   // by the index of the vertex
   const std::vector<std::size_t>& numbers() const { return m_numbers; }
 
+  // If distances are measured at generators, places get the Euclidean tensor.
   Place place_at(const Vector_of_doubles& x) const
   {
-    return {x, m_set.is_measured_at_generators() ? Symmetric_form(1, 0, 1) : tensor_at(x)};
+    if constexpr(is_measured_at_generators)
+      return {x, Symmetric_form(1, 0, 1)};
+    else
+      return {x, tensor_at(x)};
+  }
+
+  // the place of a vertex of the mesh
+  template <class Vertex>
+  Place place_of(const Vertex& v) const
+  {
+    return {to_doubles(v.point()), is_measured_at_generators ? Symmetric_form(1, 0, 1)
+                                                             : Symmetric_form(v.metric_tensor())};
   }
 
   // the integrals over the triangles that make up region i
@@ -53,7 +68,7 @@ public:
   {
     const bool is_riemannian = measure == Measure::RIEMANNIAN;
     const auto density = [&](const Vector_of_doubles& x, Symmetric_form& m, double& w) {
-      if(is_riemannian || !m_set.is_measured_at_generators())
+      if(is_riemannian || !is_measured_at_generators)
         m = tensor_at(x);
       w = is_riemannian ? std::sqrt(m.determinant()) : 1;
       m = m_set.tensor({x, m}, i);
@@ -77,7 +92,7 @@ private:
       m_numbers[v->index()] = m_vertices.size();
       m_vertices.push_back(v);
       positions.push_back(to_doubles(v->point()));
-      if constexpr(Distance::is_measured_at_generators)
+      if constexpr(is_measured_at_generators)
         tensors.push_back(Symmetric_form(distance(Vertex_handle(v))));
     }
     return Generator_set(std::move(positions), std::move(tensors));
