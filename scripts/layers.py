@@ -29,10 +29,8 @@ LAYERS = {
     "mesh": "Anisotropic_mesh_face_base_2 Anisotropic_Delaunay_mesh_2",
     "meshing": "Anisotropic_mesh_2/Point_placement make_anisotropic_mesh_2 refine_anisotropic_mesh_2",
     "tessellation": """Anisotropic_mesh_2/Directional_distance_2 Anisotropic_mesh_2/Labelle_Shewchuk_distance_2
-        Anisotropic_mesh_2/Multiplicative_weight_distance_2 Anisotropic_mesh_2/Region_integrals_2
-        Anisotropic_mesh_2/Voronoi_bisector_2 Anisotropic_mesh_2/Voronoi_duality_2
-        Anisotropic_mesh_2/Voronoi_piece_2 Anisotropic_mesh_2/Voronoi_region_2
-        Anisotropic_mesh_2/Visibility_sampling Anisotropic_Voronoi_diagram_2 anisotropic_visibility_region_2""",
+        Anisotropic_mesh_2/Multiplicative_weight_distance_2 Anisotropic_mesh_2/Visibility_sampling
+        Anisotropic_Voronoi_diagram_2 anisotropic_visibility_region_2""",
     "energy": "anisotropic_mass_centre_2",
     "optimization": "Anisotropic_mesh_2/Optimization_state",
     "quality_moves": "improve_anisotropic_mesh_2 optimize_anisotropic_mesh_2",

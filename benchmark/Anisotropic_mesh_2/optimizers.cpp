@@ -90,7 +90,7 @@ States by_hessian(const Mesh& mesh)
                           [](auto& o) { o.quasi_newton(); });
 }
 
-// Moves by what `step` makes of the pulls to the mass centres.
+// Moves by what `step` makes of the vectors to the mass centres.
 template <class Step>
 States fixed_point_iteration(Mesh mesh, Step step)
 {
@@ -103,10 +103,13 @@ States fixed_point_iteration(Mesh mesh, Step step)
     state.energy = energy(moments);
     ++state.evaluations;
     states.push_back(state);
-    Array target = mover.free_vertices().positions(), pulls(target.size());
-    for(std::size_t i = 0; i < mover.free_vertices().size(); ++i)
-      moments[mover.free_vertices()[i]->index()].pull(pulls[2*i], pulls[2*i + 1]);
-    step(target, pulls);
+    Array target = mover.free_vertices().positions(), moves(target.size());
+    for(std::size_t i = 0; i < mover.free_vertices().size(); ++i) {
+      const internal::Vector_of_doubles d = moments[mover.free_vertices()[i]->index()].lloyd_move();
+      moves[2*i] = d.x;
+      moves[2*i + 1] = d.y;
+    }
+    step(target, moves);
     mover.move_to(target);
   }
   return states;
@@ -114,18 +117,18 @@ States fixed_point_iteration(Mesh mesh, Step step)
 
 States over_relaxed(const Mesh& mesh)
 {
-  return fixed_point_iteration(mesh, [](Array& x, const Array& pulls) {
-    internal::add_multiple<CGAL::Sequential_tag>(x, 1.8, pulls);
+  return fixed_point_iteration(mesh, [](Array& x, const Array& moves) {
+    internal::add_multiple<CGAL::Sequential_tag>(x, 1.8, moves);
   });
 }
 
-// Anderson's acceleration with five differences, in the least squares of the pulls.
+// Anderson's acceleration with five differences, in the least squares of the moves.
 class Anderson
 {
 public:
-  void operator()(Array& x, const Array& pulls)
+  void operator()(Array& x, const Array& moves)
   {
-    const Eigen::VectorXd f = Eigen::Map<const Eigen::VectorXd>(pulls.data(), pulls.size());
+    const Eigen::VectorXd f = Eigen::Map<const Eigen::VectorXd>(moves.data(), moves.size());
     const Eigen::VectorXd g = Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) + f;
     if(m_last_f.size() > 0) {
       m_df.push_back(f - m_last_f);

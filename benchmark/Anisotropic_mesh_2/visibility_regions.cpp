@@ -46,7 +46,9 @@ std::vector<Region> regions(const Mesh& mesh, const Sampling& sampling)
     Region r = {0, 0, 0};
     internal::Region_moments moments;
     energy.add_region(v, moments);
-    moments.pull(r.x, r.y);
+    const internal::Vector_of_doubles d = moments.lloyd_move();
+    r.x = d.x;
+    r.y = d.y;
     const auto polygon = CGAL::anisotropic_visibility_region_2(mesh, v, sampling).front();
     for(std::size_t i = 0; i < polygon.size(); ++i)
       r.area += CGAL::area(v->point(), polygon[i], polygon[(i + 1) % polygon.size()]);

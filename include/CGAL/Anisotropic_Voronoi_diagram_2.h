@@ -12,12 +12,9 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_pieces.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_tds.h>
 #include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
-#include <CGAL/Anisotropic_mesh_2/Region_integrals_2.h>
-#include <CGAL/Anisotropic_mesh_2/Voronoi_bisector_2.h>
-#include <CGAL/Anisotropic_mesh_2/Voronoi_duality_2.h>
-#include <CGAL/Anisotropic_mesh_2/Voronoi_region_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 
@@ -75,10 +72,82 @@ public:
   typedef typename Mesh::Kernel                                          Kernel;         ///< that of the mesh
   typedef typename Mesh::Point                                           Point_2;        ///< a point
   typedef typename Mesh::Vertex_handle                                   Vertex_handle;  ///< a generator in the mesh
-  typedef Anisotropic_mesh_2::Voronoi_region_2<Kernel, Vertex_handle>    Region;         ///< a region
-  typedef Anisotropic_mesh_2::Voronoi_piece_2<Kernel>                    Piece;          ///< a part of a region
-  typedef Anisotropic_mesh_2::Voronoi_bisector_2<Kernel>                 Bisector;       ///< a curve between regions
-  typedef Anisotropic_mesh_2::Region_integrals_2<Kernel>                 Integrals;      ///< over a region
+
+  /// a connected part of the region of a generator: a main or an orphan subregion in section 2.3 of
+  /// \cgalCite{dw-acvt-05}.
+  struct Piece
+  {
+    typedef std::vector<Point_2> Polygon; ///< the corners of a closed line
+
+    bool                 is_main = false; ///< whether it contains the generator; else it is an orphan
+    double               area = 0;        ///< the Euclidean area
+    std::vector<Polygon> boundaries;      ///< the outer ones counterclockwise, those of holes clockwise
+  };
+
+  /// the region of a generator, within the domain (definition 2.2 of \cgalCite{dw-acvt-05}).
+  struct Region
+  {
+    typedef std::array<Point_2, 3> Tile; ///< the corners of a triangle
+
+    Vertex_handle      vertex;           ///< the generator in the mesh
+    Point_2            generator;        ///< its position
+    bool               is_fixed = false; ///< whether the generator ends a constrained edge
+    double             area = 0;         ///< the Euclidean area of all pieces
+    std::vector<Piece> pieces;           ///< the main ones first
+    /// triangles that make up the region, counterclockwise; next to bisectors
+    /// that turn sharply a few of them may be clockwise, and count as negative.
+    std::vector<Tile>  tiles;
+
+    /// the number of pieces that do not contain the generator.
+    std::size_t number_of_orphans() const
+    {
+      return static_cast<std::size_t>(
+        std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !p.is_main; }));
+    }
+  };
+
+  /// a curve along which the regions of two generators meet, as a polygonal line
+  /// (definition 2.2 of \cgalCite{dw-acvt-05}).
+  struct Bisector
+  {
+    std::array<std::size_t, 2> regions;  ///< the one on the left and the one on the right
+    bool                       is_between_main_pieces; ///< else a piece beside it is an orphan
+    bool                       is_closed; ///< whether the last point is joined to the first one
+    std::vector<Point_2>       points;    ///< the corners of the line, in order
+  };
+
+  /// the integrals over the region of a generator (section 2.4 of \cgalCite{dw-acvt-05}).
+  struct Integrals
+  {
+    Point_2 mass_centre;           ///< the generator itself, if the region is empty
+    double  mass_centre_error = 0; ///< a bound of the error of the quadrature, as a length in the mean tensor
+    double  area = 0;              ///< in the measure
+    double  energy = 0;            ///< the integral of the squared distance to the generator
+    /// the entries a, b, c of the matrix \f$ A \f$ with the rows (a, b) and (b, c), the integral of the tensor
+    std::array<double, 3> matrix = {{0, 0, 0}};
+    /// the derivatives of the energy by the coordinates of the generator, for the
+    /// directional distance: \f$ 2 A \f$ times the vector from the mass centre to the generator
+    std::array<double, 2> energy_gradient = {{0, 0}};
+  };
+
+  /// how far a triangulation is dual to a tessellation in the sense of definition
+  /// 2.3 of \cgalCite{dw-acvt-05}: which of its edges join generators whose main
+  /// pieces share a bisector. Generators are named by the indices of their regions.
+  struct Duality
+  {
+    typedef std::pair<std::size_t, std::size_t> Pair; ///< two regions, the smaller index first
+
+    std::size_t       number_of_dual_edges = 0;   ///< edges with a bisector
+    std::vector<Pair> edges_without_bisector;     ///< in increasing order
+    std::vector<Pair> bisectors_without_edge;     ///< in increasing order
+
+    /// the share of dual edges among all pairs joined by an edge or sharing a bisector; 1 if there are none.
+    double share_of_dual_edges() const
+    {
+      const std::size_t all = number_of_dual_edges + edges_without_bisector.size() + bisectors_without_edge.size();
+      return all == 0 ? 1 : double(number_of_dual_edges) / double(all);
+    }
+  };
   /// @}
 
   /// \name Creation
@@ -98,8 +167,7 @@ public:
   {
     CGAL_precondition(tolerance >= 1e-9 && tolerance <= 0.1);
     const Subdivision subdivision(mesh, m_generators, tolerance);
-    const Pieces pieces(subdivision);
-    take_regions(pieces);
+    take_regions(subdivision);
     collect_neighbors();
   }
   /// @}
@@ -138,7 +206,7 @@ public:
   std::size_t nearest_generator(const Point_2& p) const
   {
     CGAL_precondition(number_of_regions() > 0);
-    return m_generators.set().nearest(place_at(p));
+    return m_generators.set().nearest(metric_point_at(p));
   }
 
   /// the squared distance from `p` to the generator of region `i`.
@@ -146,7 +214,7 @@ public:
   /// fails at `p`.
   double squared_distance(const Point_2& p, std::size_t i) const
   {
-    return m_generators.set().squared_distance(place_at(p), i);
+    return m_generators.set().squared_distance(metric_point_at(p), i);
   }
   /// @}
 
@@ -168,9 +236,8 @@ public:
     Integrals result;
     const auto sum = m_generators.integrate(i, triangles(i), measure, tolerance, result.mass_centre_error);
     const Vector& z = m_generators.set().position(i);
-    Vector pull;
-    sum.moments.pull(pull.x, pull.y);
-    result.mass_centre = point({z.x + pull.x, z.y + pull.y});
+    const Vector d = sum.moments.lloyd_move();
+    result.mass_centre = point({z.x + d.x, z.y + d.y});
     result.area = sum.mass;
     result.energy = sum.energy;
     result.matrix = {sum.moments.a.a, sum.moments.a.b, sum.moments.a.c};
@@ -180,9 +247,9 @@ public:
 
   /// compares the edges of the triangulation with the neighbors of regions (definition 2.3 of
   /// \cgalCite{dw-acvt-05}); takes \f$ O(n \log n) \f$ time.
-  Anisotropic_mesh_2::Voronoi_duality_2 duality() const
+  Duality duality() const
   {
-    typedef Anisotropic_mesh_2::Voronoi_duality_2::Pair Pair;
+    typedef typename Duality::Pair Pair;
     std::vector<Pair> edges, neighbors, dual;
     for(const typename Mesh::Edge& e : m_mesh.edges_in_domain()) {
       const std::size_t i = index(e.first->vertex(Mesh::ccw(e.second))), j = index(e.first->vertex(Mesh::cw(e.second)));
@@ -193,7 +260,7 @@ public:
       for(std::size_t j : m_neighbors[i])
         if(i < j)
           neighbors.emplace_back(i, j);
-    Anisotropic_mesh_2::Voronoi_duality_2 result;
+    Duality result;
     std::set_difference(edges.begin(), edges.end(), neighbors.begin(), neighbors.end(),
                         std::back_inserter(result.edges_without_bisector));
     std::set_difference(neighbors.begin(), neighbors.end(), edges.begin(), edges.end(),
@@ -204,23 +271,20 @@ public:
   /// @}
 
 private:
-  typedef Anisotropic_mesh_2::internal::Vector_of_doubles   Vector;
-  typedef Anisotropic_mesh_2::internal::Triangle_of_doubles Triangle;
-  typedef Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance>             Generators;
+  typedef Anisotropic_mesh_2::internal::Vector_of_doubles                              Vector;
+  typedef Anisotropic_mesh_2::internal::Triangle_of_doubles                            Triangle;
+  typedef Anisotropic_mesh_2::internal::Mesh_generators<Mesh, Distance>                Generators;
   typedef Anisotropic_mesh_2::internal::Region_subdivision<Generators, ConcurrencyTag> Subdivision;
-  typedef Anisotropic_mesh_2::internal::Region_pieces<Subdivision>                  Pieces;
-  typedef typename Subdivision::Vertex_handle               Subdivision_vertex;
-  typedef typename Subdivision::Face_handle                 Subdivision_face;
-  typedef typename Subdivision::Edge                        Subdivision_edge;
-  typedef typename Pieces::Border                           Border;
+  typedef Anisotropic_mesh_2::internal::Region_tds                                     Tds;
+  typedef Anisotropic_mesh_2::internal::Region_pieces::Border                          Border;
 
   static constexpr std::size_t regions_of_chunk = 128;
 
   static Point_2 point(const Vector& x) { return Anisotropic_mesh_2::internal::point_at<Point_2>(x.x, x.y); }
 
-  Anisotropic_mesh_2::internal::Place place_at(const Point_2& p) const
+  Anisotropic_mesh_2::internal::Metric_point metric_point_at(const Point_2& p) const
   {
-    return m_generators.place_at(Anisotropic_mesh_2::internal::to_doubles(p));
+    return m_generators.metric_point_at(Anisotropic_mesh_2::internal::to_doubles(p));
   }
 
   std::vector<Triangle> triangles(std::size_t i) const
@@ -233,7 +297,7 @@ private:
   }
 
   // Bisectors are those of each piece with the pieces after it, in the order of the regions.
-  void take_regions(const Pieces& pieces_of)
+  void take_regions(const Subdivision& subdivision)
   {
     using namespace Anisotropic_mesh_2::internal;
     const std::size_t n = m_generators.set().size();
@@ -241,7 +305,7 @@ private:
     std::vector<std::vector<Border> > borders(n);
     for_each_chunk<ConcurrencyTag>(n, [&](std::size_t, std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i)
-        take_region(pieces_of, i, borders[i]);
+        take_region(subdivision, i, borders[i]);
     }, regions_of_chunk);
 
     std::vector<std::vector<Bisector> > bisectors(number_of_chunks(n, regions_of_chunk));
@@ -253,21 +317,23 @@ private:
     m_bisectors = joined(std::move(bisectors));
   }
 
-  void take_region(const Pieces& pieces_of, std::size_t i, std::vector<Border>& borders)
+  void take_region(const Subdivision& subdivision, std::size_t i, std::vector<Border>& borders)
   {
     Region& r = m_regions[i];
     r.vertex = m_generators.vertices()[i];
     r.generator = r.vertex->point();
     r.is_fixed = m_mesh.is_fixed(r.vertex);
-    for(const auto& p : pieces_of(i)) {
+    r.tiles.reserve(subdivision.faces(i).size());
+    const Anisotropic_mesh_2::internal::Region_pieces pieces(subdivision.tds());
+    for(const auto& p : pieces(subdivision.faces(i))) {
       Piece piece;
       piece.is_main = p.is_main;
-      for(Subdivision_face f : p.faces) {
-        const Triangle t = Subdivision::triangle(f);
+      for(Tds::Face_handle f : p.faces) {
+        const Triangle t = Tds::triangle(f);
         r.tiles.push_back({point(t[0]), point(t[1]), point(t[2])});
         piece.area += Anisotropic_mesh_2::internal::area(t);
       }
-      for(Border& b : pieces_of.borders(p)) {
+      for(Border& b : pieces.borders(p)) {
         piece.boundaries.push_back(points(b.begin(), b.end()));
         borders.push_back(std::move(b));
       }
@@ -280,8 +346,8 @@ private:
   void take_bisectors(Border border, std::vector<Bisector>& bisectors) const
   {
     typedef std::pair<std::size_t, std::size_t> Region_and_piece;
-    const auto piece = [](Subdivision_face f) { return Region_and_piece(f->region, f->piece); };
-    const auto beyond = [&](const Subdivision_edge& e) { return piece(e.first->neighbor(e.second)); };
+    const auto piece = [](Tds::Face_handle f) { return Region_and_piece(f->region, f->piece); };
+    const auto beyond = [&](const Tds::Edge& e) { return piece(e.first->neighbor(e.second)); };
     const auto is_main = [&](const Region_and_piece& p) { return m_regions[p.first].pieces[p.second].is_main; };
     const auto change = std::adjacent_find(border.begin(), border.end(), [&](const auto& d, const auto& e)
                                            { return beyond(d) != beyond(e); });
@@ -295,13 +361,13 @@ private:
         continue;
       Bisector b{{left.first, right.first}, is_main(left) && is_main(right), is_closed, points(first, last)};
       if(!is_closed)
-        b.points.push_back(point(Subdivision::position(target(*std::prev(last)))));
+        b.points.push_back(point(target(*std::prev(last))->point.at));
       bisectors.push_back(std::move(b));
     }
   }
 
-  static Subdivision_vertex source(const Subdivision_edge& e) { return e.first->vertex(Mesh::ccw(e.second)); }
-  static Subdivision_vertex target(const Subdivision_edge& e) { return e.first->vertex(Mesh::cw(e.second)); }
+  static Tds::Vertex_handle source(const Tds::Edge& e) { return e.first->vertex(Tds::ccw(e.second)); }
+  static Tds::Vertex_handle target(const Tds::Edge& e) { return e.first->vertex(Tds::cw(e.second)); }
 
   // the points at which the edges begin
   template <class Iterator>
@@ -309,7 +375,7 @@ private:
   {
     std::vector<Point_2> result;
     for(; first != last; ++first)
-      result.push_back(point(Subdivision::position(source(*first))));
+      result.push_back(point(source(*first)->point.at));
     return result;
   }
 

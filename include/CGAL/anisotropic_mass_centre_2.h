@@ -40,10 +40,8 @@ anisotropic_mass_centre_2(const Mesh& mesh, typename Mesh::Vertex_handle v,
   namespace internal = Anisotropic_mesh_2::internal;
   internal::Region_moments moments;
   internal::Visibility_energy<Mesh>(mesh, measure, sampling).add_region(v, moments);
-  double x, y;
-  moments.pull(x, y);
-  return internal::point_at<typename Mesh::Point>(CGAL::to_double(v->point().x()) + x,
-                                                  CGAL::to_double(v->point().y()) + y);
+  const internal::Vector_of_doubles z = internal::to_doubles(v->point()), d = moments.lloyd_move();
+  return internal::point_at<typename Mesh::Point>(z.x + d.x, z.y + d.y);
 }
 
 } // namespace CGAL

@@ -52,16 +52,16 @@ void test_moments(const Case& c, Measure measure, double energy_tolerance, doubl
   double sum = 0;
   const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
   for(Mesh::Vertex_handle v : vertices) {
-    double x, y, ex, ey;
-    moments[v->index()].pull(x, y);
+    const Vector_of_doubles d = moments[v->index()].lloyd_move();
+    double ex, ey;
     exact[v->index()].pull(ex, ey);
-    sum += std::sqrt(v->metric_tensor().squared_length(x - ex, y - ey));
+    sum += std::sqrt(v->metric_tensor().squared_length(d.x - ex, d.y - ey));
   }
   CHECK_MSG(sum / double(vertices.size()) < pull_tolerance,
             c.name + ": mean error of the mass centres " + std::to_string(sum / double(vertices.size())));
 }
 
-// dF/dz = -2 A pull, where F and the moments come from dense samples given to
+// dF/dz = -2 A times the Lloyd move, where F and the moments come from dense samples given to
 // the nearest of all generators: so Lloyd's step is a preconditioned gradient step.
 void test_gradient()
 {

@@ -282,10 +282,10 @@ Errors errors_against_samples(const Mesh& mesh, const std::vector<Brute_force::M
   Errors e;
   const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
   for(Mesh::Vertex_handle v : vertices) {
-    double x, y, ex, ey;
-    moments[v->index()].pull(x, y);
+    const Vector_of_doubles d = moments[v->index()].lloyd_move();
+    double ex, ey;
     exact[v->index()].pull(ex, ey);
-    const double error = metric_distance(v, Point(x, y), Point(ex, ey));
+    const double error = metric_distance(v, Point(d.x, d.y), Point(ex, ey));
     e.mean_of_centres += error / double(vertices.size());
     double& largest = has_acute_star(mesh, v) ? e.largest_of_centres : e.largest_at_obtuse_stars;
     largest = (std::max)(largest, error);

@@ -3,14 +3,17 @@
 #include "voronoi_diagrams.h"
 
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Mesh_generators.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_subdivision.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-typedef CGAL::Anisotropic_mesh_2::Voronoi_duality_2::Pair Pair;
+typedef Diagram::Duality::Pair Pair;
 
 const Point centre(0, 0);
 
@@ -352,7 +355,7 @@ void test_duality_of_figure()
   CHECK(duality.bisectors_without_edge.empty());
   CHECK(duality.number_of_dual_edges == 6);
   CHECK(duality.share_of_dual_edges() == 0.75);
-  CHECK(CGAL::Anisotropic_mesh_2::Voronoi_duality_2().share_of_dual_edges() == 1);
+  CHECK(Diagram::Duality().share_of_dual_edges() == 1);
 }
 
 // an edge that may be flipped, far from the boundary
@@ -391,6 +394,65 @@ void test_duality_of_flipped_mesh()
   CHECK(after.bisectors_without_edge == std::vector<Pair>(1, pair_of(diagram, p, q)));
   CHECK(after.edges_without_bisector == std::vector<Pair>(1, pair_of(diagram, r, s)));
   CHECK(after.number_of_dual_edges + 1 == before.number_of_dual_edges);
+}
+
+// ---------------------------------------------------------------- the subdivision
+
+// How far x is from the bisector of i and j, as the difference of its distances to them by their mean.
+template <class Diagram>
+double off_bisector(const Diagram& diagram, const Point& x, std::size_t i, std::size_t j)
+{
+  const double di = std::sqrt(diagram.squared_distance(x, i)), dj = std::sqrt(diagram.squared_distance(x, j));
+  return 2 * std::abs(di - dj) / (di + dj);
+}
+
+// Each face has one label, edges between labels are the bisectors, and the faces tile the domain.
+template <class Distance>
+void test_subdivision(const Named_field& f, double tolerance)
+{
+  using namespace CGAL::Anisotropic_mesh_2::internal;
+  typedef Mesh_generators<Mesh, Distance> Generators;
+  typedef Region_subdivision<Generators, CGAL::Sequential_tag> Subdivision;
+  typedef typename Subdivision::Tds Tds;
+  const Mesh mesh = mesh_of(square(), random_points(10, 12), f.field);
+  const CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Distance> diagram(mesh, Distance(), tolerance);
+  const Generators generators(mesh, Distance());
+  const Subdivision subdivision(mesh, generators, tolerance);
+  CHECK_MSG(subdivision.tds().is_valid(), f.name);
+  const auto point = [](typename Tds::Vertex_handle v) { return Point(v->point.at.x, v->point.at.y); };
+  double area = 0, length_of_edges = 0, length_of_bisectors = 0;
+  std::set<typename Tds::Vertex_handle> on_edges, without_label;
+  for(std::size_t i = 0; i < diagram.number_of_regions(); ++i)
+    for(typename Tds::Face_handle face : subdivision.faces(i)) {
+      area += CGAL::area(point(face->vertex(0)), point(face->vertex(1)), point(face->vertex(2)));
+      int labelled = 0;
+      for(int k = 0; k < 3; ++k) {
+        const Labelled_point& corner = face->vertex(k)->point;
+        CHECK_MSG(corner.label == i || corner.label == Labelled_point::none, f.name);
+        labelled += corner.label == i;
+        if(corner.label == Labelled_point::none)
+          without_label.insert(face->vertex(k));
+        else
+          CHECK_MSG(diagram.nearest_generator(point(face->vertex(k))) == i, f.name);
+        const std::size_t j = face->neighbor(k)->region;
+        if(j == i || j == Subdivision::outside)
+          continue;
+        const auto u = face->vertex(Tds::ccw(k)), v = face->vertex(Tds::cw(k));
+        CHECK_MSG(u->point.label == Labelled_point::none && v->point.label == Labelled_point::none, f.name);
+        for(const Point& x : {point(u), point(v)})
+          CHECK_MSG(off_bisector(diagram, x, i, j) < tolerance, f.name);
+        CHECK_MSG(off_bisector(diagram, CGAL::midpoint(point(u), point(v)), i, j) < 8 * tolerance, f.name);
+        on_edges.insert({u, v});
+        length_of_edges += std::sqrt(CGAL::squared_distance(point(u), point(v))) / 2; // met from both sides
+      }
+      CHECK_MSG(labelled > 0, f.name);
+    }
+  CHECK_MSG(on_edges == without_label && !on_edges.empty(), f.name);
+  for(const auto& b : diagram.bisectors())
+    for(std::size_t k = b.is_closed ? 0 : 1; k < b.points.size(); ++k)
+      length_of_bisectors += std::sqrt(CGAL::squared_distance(b.points[k], b.points[k == 0 ? b.points.size() - 1 : k - 1]));
+  CHECK_MSG(std::abs(area - area_of(mesh)) < 1e-10, f.name);
+  CHECK_MSG(std::abs(length_of_edges / length_of_bisectors - 1) < 1e-10, f.name);
 }
 
 // ---------------------------------------------------------------- domains
@@ -483,6 +545,10 @@ int main()
   }
   test_parabola();
   test_circle_of_apollonius();
+  for(const Named_field& f : {Named_field{"turning", turning}, Named_field{"thin", thin_in_the_middle}}) {
+    test_subdivision<Directional>(f, 1e-4);
+    test_subdivision<Labelle_Shewchuk>(f, 1e-4);
+  }
   test_duality_of_figure();
   test_duality_of_flipped_mesh();
   test_holes_and_constraints();

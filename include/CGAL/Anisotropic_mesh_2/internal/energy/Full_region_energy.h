@@ -12,6 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_integrator.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_tds.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/Directional_distance_2.h>
@@ -39,7 +40,7 @@ public:
   double operator()(std::vector<Region_moments>& moments) const
   {
     const Generators generators(m_mesh, Directional_distance_2());
-    const std::vector<Region_sum> sums = integrate(generators);
+    const std::vector<Region_integrals> sums = integrate(generators);
     moments.assign(m_mesh.vertex_index_bound(), Region_moments());
     double energy = 0;
     for(std::size_t i = 0; i < sums.size(); ++i) {
@@ -54,15 +55,15 @@ private:
 
   static constexpr std::size_t regions_of_chunk = 128;
 
-  std::vector<Region_sum> integrate(const Generators& generators) const
+  std::vector<Region_integrals> integrate(const Generators& generators) const
   {
     const Region_subdivision<Generators, ConcurrencyTag> subdivision(m_mesh, generators, m_tolerance);
-    std::vector<Region_sum> sums(generators.set().size());
+    std::vector<Region_integrals> sums(generators.set().size());
     for_each_chunk<ConcurrencyTag>(sums.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
       for(std::size_t i = begin; i < end; ++i) {
         std::vector<Triangle_of_doubles> triangles;
-        for(auto f : subdivision.faces(i))
-          triangles.push_back(subdivision.triangle(f));
+        for(Region_tds::Face_handle f : subdivision.faces(i))
+          triangles.push_back(Region_tds::triangle(f));
         double error;
         sums[i] = generators.integrate(i, triangles, m_measure, m_tolerance, error);
       }

@@ -129,11 +129,7 @@ private:
   // from the free vertices to their mass centres
   Array lloyd_moves() const
   {
-    return gathered([](const Region_moments& m) {
-      Vector_of_doubles d;
-      m.pull(d.x, d.y);
-      return d;
-    });
+    return gathered([](const Region_moments& m) { return m.lloyd_move(); });
   }
 
   void summarize()
@@ -197,7 +193,9 @@ private:
       m_precondition(m_moments, m_couplings, v);
     else
       for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) {
-        m_moments[m_free[i]].solve(v[2*i] / 2, v[2*i + 1] / 2, v[2*i], v[2*i + 1]);
+        const Vector_of_doubles d = m_moments[m_free[i]].solve(v[2*i] / 2, v[2*i + 1] / 2);
+        v[2*i] = d.x;
+        v[2*i + 1] = d.y;
       });
   }
 

@@ -75,9 +75,7 @@ private:
   // (2 A)^-1 (x, y)
   static Vector_of_doubles scaled(const Region_moments& m, double x, double y)
   {
-    Vector_of_doubles result;
-    m.solve(x / 2, y / 2, result.x, result.y);
-    return result;
+    return m.solve(x / 2, y / 2);
   }
 
   const std::vector<int>& m_free;

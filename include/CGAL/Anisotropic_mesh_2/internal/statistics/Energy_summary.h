@@ -39,9 +39,8 @@ public:
     m_energy += energy.add_faces(faces, moments);
     energy.add_faces(other_faces, moments);
     for(const auto& v : vertices) {
-      double x, y;
-      moments[v->index()].pull(x, y);
-      m_largest_pull = (std::max)(m_largest_pull, Symmetric_form(v->metric_tensor()).length(x, y));
+      const Vector_of_doubles d = moments[v->index()].lloyd_move();
+      m_largest_move = (std::max)(m_largest_move, Symmetric_form(v->metric_tensor()).length(d.x, d.y));
     }
     const double area = integral(mesh, faces, 0.5);
     m_area += area;
@@ -58,7 +57,7 @@ public:
     statistics.ideal_vertices = ideal_number_of_vertices(m_area);
     statistics.energy = m_energy;
     statistics.energy_ratio = m_energy / energy_of_hexagons(m_density_integral, double(m_faces) / 2);
-    statistics.gradient_norm = m_largest_pull;
+    statistics.gradient_norm = m_largest_move;
   }
 
 private:
@@ -70,7 +69,7 @@ private:
   }
 
   Measure     m_measure;
-  double      m_area = 0, m_density_integral = 0, m_energy = 0, m_largest_pull = 0;
+  double      m_area = 0, m_density_integral = 0, m_energy = 0, m_largest_move = 0;
   std::size_t m_faces = 0;
 };
 

@@ -22,11 +22,11 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// The places by which a face is judged.
+// The points by which a face is judged.
 struct Face_samples
 {
-  std::array<const Place*, 3> corner;
-  Place                       middle;
+  std::array<const Metric_point*, 3> corner;
+  Metric_point                       middle;
 };
 
 // How much farther than the own generator a rival is, at least, in the part of
@@ -35,6 +35,7 @@ struct Face_samples
 // With a constant tensor the difference of the squared distances is linear. What
 // it may be below its linear interpolation is taken from the middle of the face,
 // and from the square of the variation, so that it vanishes faster than the face.
+// The page "Derivations" of the manual tells why, also for the other distances.
 class Margin_at_points
 {
 public:
@@ -42,7 +43,7 @@ public:
     : m_generators(generators), m_face(face)
   {
     const double det = face.middle.m.determinant();
-    for(const Place* p : face.corner) {
+    for(const Metric_point* p : face.corner) {
       // the eigenvalues of the tensor at p relative to that in the middle
       const Symmetric_form &m = face.middle.m, &n = p->m;
       const double half_trace = (m.c*n.a - 2*m.b*n.b + m.a*n.c) / det / 2;
@@ -56,13 +57,13 @@ public:
   // how much the metric of a corner distorts that in the middle
   double stretch() const { return m_stretch; }
 
-  double operator()(const Place& x, std::size_t own, std::size_t rival) const
+  double operator()(const Metric_point& x, std::size_t own, std::size_t rival) const
   {
     const double difference = m_generators.difference(x, rival, own);
     if(m_variation == 0 || !(difference > 0))
       return difference;
     double deviation = m_generators.difference(m_face.middle, rival, own);
-    for(const Place* p : m_face.corner)
+    for(const Metric_point* p : m_face.corner)
       deviation -= m_generators.difference(*p, rival, own) / 3;
     const Vector_of_doubles &p = m_generators.position(own), &q = m_generators.position(rival);
     const double reach = std::sqrt(x.m(q.x - p.x, q.y - p.y) * x.m(x.at.x - (p.x + q.x) / 2, x.at.y - (p.y + q.y) / 2));
@@ -93,7 +94,7 @@ public:
 
   double stretch() const { return 1; }
 
-  double operator()(const Place& x, std::size_t own, std::size_t rival) const
+  double operator()(const Metric_point& x, std::size_t own, std::size_t rival) const
   {
     const Symmetric_form h = m_generators.tensor(x, rival) + (-1.) * m_generators.tensor(x, own);
     const double curvature = std::abs(h.a + h.c) / 2 + std::hypot((h.a - h.c) / 2, h.b);
@@ -142,8 +143,8 @@ private:
     double radius = std::numeric_limits<double>::infinity(), reach = 0;
     for(int k = 0; k < 3; ++k) {
       double farthest = 0;
-      for(const Place* p : face.corner)
-        farthest = (std::max)(farthest, m_generators.squared_distance(Place{p->at, m}, d.label(k)));
+      for(const Metric_point* p : face.corner)
+        farthest = (std::max)(farthest, m_generators.squared_distance(Metric_point{p->at, m}, d.label(k)));
       radius = (std::min)(radius, std::sqrt(farthest));
       const Vector_of_doubles& p = face.corner[k]->at;
       reach = (std::max)(reach, m.length(p.x - face.middle.at.x, p.y - face.middle.at.y));
@@ -153,7 +154,7 @@ private:
   }
 
   // whether at x, a corner of the part of `own`, all rivals but those excepted are farther, with the margin
-  bool is_clear_of_rivals(const Margin& margin, const Place& x, std::size_t own,
+  bool is_clear_of_rivals(const Margin& margin, const Metric_point& x, std::size_t own,
                           const std::array<std::size_t, 3>& excepted) const
   {
     for(std::size_t rival : m_rivals)

@@ -36,7 +36,7 @@ public:
   // the last chance or if the face is as small as the tolerance.
   bool operator()(bool is_last_chance, Face_division& d)
   {
-    m_face.corner = {&d.corner[0]->place, &d.corner[1]->place, &d.corner[2]->place};
+    m_face.corner = {d.corner[0], d.corner[1], d.corner[2]};
     m_face.middle = mean(m_face.corner);
     const bool is_forced = is_last_chance || is_small(d);
     return (cross_edges(d) || is_forced)
@@ -46,16 +46,16 @@ public:
   }
 
 private:
-  Place mean(const std::array<const Place*, 3>& p) const
+  Metric_point mean(const std::array<const Metric_point*, 3>& p) const
   {
-    return m_generators.place_at({(p[0]->at.x + p[1]->at.x + p[2]->at.x) / 3,
+    return m_generators.metric_point_at({(p[0]->at.x + p[1]->at.x + p[2]->at.x) / 3,
                                   (p[0]->at.y + p[1]->at.y + p[2]->at.y) / 3});
   }
 
   // whether the face is as small as the tolerance
   bool is_small(const Face_division& d) const
   {
-    const Place& middle = m_face.middle;
+    const Metric_point& middle = m_face.middle;
     const double distance = m_set.squared_distance(middle, m_set.nearest(middle, d.label(0)));
     double longest = 0, length = 0, size = 0;
     for(int k = 0; k < 3; ++k) {
@@ -81,7 +81,7 @@ private:
   }
 
   // up to rounding
-  bool is_nearest(const Place& p, std::size_t label) const
+  bool is_nearest(const Metric_point& p, std::size_t label) const
   {
     const std::size_t nearest = m_set.nearest(p, label);
     return m_set.squared_distance(p, nearest) >= m_set.squared_distance(p, label) * (1 - 1e-10);
@@ -130,7 +130,8 @@ private:
   }
 
   // A curve that does not stay within the face becomes straight.
-  bool trace(const Place& from, const Place& to, std::size_t left, std::size_t right, Face_division& d) const
+  bool trace(const Metric_point& from, const Metric_point& to, std::size_t left, std::size_t right,
+             Face_division& d) const
   {
     Face_division::Curve curve = {left, right, Vectors()};
     if(!m_tracer.trace(from, to, left, right, inside(), curve.points))

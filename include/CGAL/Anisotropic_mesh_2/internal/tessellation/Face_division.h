@@ -18,10 +18,10 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 
 // A point with its nearest generator; points of bisectors have none.
 struct Labelled_point
+  : Metric_point
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  Place       place;
   std::size_t label = none;
 };
 
@@ -37,8 +37,8 @@ struct Face_division
   };
 
   std::array<const Labelled_point*, 3> corner;
-  std::array<Place, 3>                 crossing; // of the bisector with an edge whose ends have different labels
-  Place                                centre;   // where three bisectors meet, if there are three labels
+  std::array<Metric_point, 3>          crossing; // of the bisector with an edge whose ends have different labels
+  Metric_point                         centre;   // where three bisectors meet, if there are three labels
   std::vector<Curve>                   curves;   // from one crossing to the other, or from crossings to the centre
 
   std::size_t label(int k) const { return corner[k]->label; }

@@ -23,18 +23,18 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // A point with the tensor by which distances from there are measured.
-struct Place
+struct Metric_point
 {
   Vector_of_doubles at;
   Symmetric_form    m;
 };
 
-// Generators and the distances to them, measured at places or at generators,
+// Generators and the distances to them, measured at points or at generators,
 // with a tree of boxes that answers for any set of generators and any tensor.
 class Generator_set
 {
 public:
-  // distances measured at places
+  // distances measured at points
   explicit Generator_set(Vectors positions) : Generator_set(std::move(positions), std::vector<Symmetric_form>()) {}
 
   // Distances measured at generators, if `tensors` is not empty.
@@ -49,20 +49,20 @@ public:
   const Vector_of_doubles& position(std::size_t i) const { return m_positions[i]; }
   bool is_measured_at_generators() const { return !m_tensors.empty(); }
 
-  // the tensor by which the distance between the place and the generator is measured
-  const Symmetric_form& tensor(const Place& p, std::size_t i) const
+  // the tensor by which the distance between the point and the generator is measured
+  const Symmetric_form& tensor(const Metric_point& p, std::size_t i) const
   {
     return is_measured_at_generators() ? m_tensors[i] : p.m;
   }
 
-  double squared_distance(const Place& p, std::size_t i) const
+  double squared_distance(const Metric_point& p, std::size_t i) const
   {
     return tensor(p, i)(p.at.x - m_positions[i].x, p.at.y - m_positions[i].y);
   }
 
   // The squared distance to i less that to j: where both are measured by the
   // same tensor, without the cancellation.
-  double difference(const Place& p, std::size_t i, std::size_t j) const
+  double difference(const Metric_point& p, std::size_t i, std::size_t j) const
   {
     if(is_measured_at_generators())
       return squared_distance(p, i) - squared_distance(p, j);
@@ -72,7 +72,7 @@ public:
 
   // The nearest generator, the one of lowest index if several are. `hint` is
   // any generator; the nearer it is the faster the answer.
-  std::size_t nearest(const Place& p, std::size_t hint = 0) const
+  std::size_t nearest(const Metric_point& p, std::size_t hint = 0) const
   {
     std::pair<double, std::size_t> best(squared_distance(p, hint), hint);
     m_tree.search([&](std::size_t node) { return squared_distance_to_box(p, node); },
@@ -85,8 +85,8 @@ public:
   }
 
   // All generators that are within `radius` of a point that is within `reach`
-  // of p; lengths are metric if measured at places, else `reach` is Euclidean.
-  void within(const Place& p, double reach, double radius, std::vector<std::size_t>& result) const
+  // of p; lengths are metric if measured at points, else `reach` is Euclidean.
+  void within(const Metric_point& p, double reach, double radius, std::vector<std::size_t>& result) const
   {
     result.clear();
     const Symmetric_form m = is_measured_at_generators() ? Symmetric_form(1, 0, 1) : p.m;
@@ -155,7 +155,7 @@ private:
     return least * (1 - 1e-9) - 1e-14 * (m.a * (std::max)(x0*x0, x1*x1) + m.c * (std::max)(y0*y0, y1*y1));
   }
 
-  double squared_distance_to_box(const Place& p, std::size_t node) const
+  double squared_distance_to_box(const Metric_point& p, std::size_t node) const
   {
     const Bbox_2& box = m_tree.nodes()[node].box;
     return is_measured_at_generators()

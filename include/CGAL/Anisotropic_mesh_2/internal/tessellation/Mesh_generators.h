@@ -45,8 +45,8 @@ public:
   // by the index of the vertex
   const std::vector<std::size_t>& numbers() const { return m_numbers; }
 
-  // If distances are measured at generators, places get the Euclidean tensor.
-  Place place_at(const Vector_of_doubles& x) const
+  // If distances are measured at generators, points get the Euclidean tensor.
+  Metric_point metric_point_at(const Vector_of_doubles& x) const
   {
     if constexpr(is_measured_at_generators)
       return {x, Symmetric_form(1, 0, 1)};
@@ -54,17 +54,17 @@ public:
       return {x, tensor_at(x)};
   }
 
-  // the place of a vertex of the mesh
+  // a vertex of the mesh
   template <class Vertex>
-  Place place_of(const Vertex& v) const
+  Metric_point metric_point_of(const Vertex& v) const
   {
     return {to_doubles(v.point()), is_measured_at_generators ? Symmetric_form(1, 0, 1)
                                                              : Symmetric_form(v.metric_tensor())};
   }
 
   // the integrals over the triangles that make up region i
-  Region_sum integrate(std::size_t i, const std::vector<Triangle_of_doubles>& triangles, Measure measure,
-                       double tolerance, double& error) const
+  Region_integrals integrate(std::size_t i, const std::vector<Triangle_of_doubles>& triangles, Measure measure,
+                             double tolerance, double& error) const
   {
     const bool is_riemannian = measure == Measure::RIEMANNIAN;
     const auto density = [&](const Vector_of_doubles& x, Symmetric_form& m, double& w) {

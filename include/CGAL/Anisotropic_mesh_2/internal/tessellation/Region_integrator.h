@@ -20,18 +20,16 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 
 // The integrals over the region V of a generator z, w being the density of the
 // measure: those of w, of w M and w M (x - z), and of w |x - z|^2 in M.
-struct Region_sum
+struct Region_integrals
 {
   double         mass = 0;
   Region_moments moments;
   double         energy = 0;
 
-  Region_sum& operator+=(const Region_sum& s)
+  Region_integrals& operator+=(const Region_integrals& s)
   {
     mass += s.mass;
-    moments.a += s.moments.a;
-    moments.gx += s.moments.gx;
-    moments.gy += s.moments.gy;
+    moments += s.moments;
     energy += s.energy;
     return *this;
   }
@@ -53,12 +51,13 @@ public:
   Region_integrator(const Density& density, double tolerance) : m_density(density), m_tolerance(tolerance) {}
 
   // Sets `error` to a bound of the error of the mass centre, as a length in the mean tensor.
-  Region_sum operator()(const std::vector<Triangle>& triangles, const Vector_of_doubles& generator, double& error) const
+  Region_integrals operator()(const std::vector<Triangle>& triangles, const Vector_of_doubles& generator,
+                              double& error) const
   {
     std::vector<Part> heap;
     for(const Triangle& t : triangles)
       heap.push_back(integrate(t, generator));
-    const Region_sum scale = total(heap);
+    const Region_integrals scale = total(heap);
     error = 0;
     for(Part& p : heap)
       error += (p.error = length(p, scale));
@@ -76,30 +75,29 @@ private:
   struct Part
   {
     Triangle          triangle;
-    Region_sum        sum;
+    Region_integrals  sum;
     Vector_of_doubles difference; // of the integrals of w M (x - z) by the two rules
     double            error = 0;
 
     bool operator<(const Part& p) const { return error < p.error; }
   };
 
-  static Region_sum total(const std::vector<Part>& parts)
+  static Region_integrals total(const std::vector<Part>& parts)
   {
-    Region_sum sum;
+    Region_integrals sum;
     for(const Part& p : parts)
       sum += p.sum;
     return sum;
   }
 
   // how far the difference moves the mass centre
-  static double length(const Part& p, const Region_sum& scale)
+  static double length(const Part& p, const Region_integrals& scale)
   {
-    double x, y;
-    scale.moments.solve(p.difference.x, p.difference.y, x, y);
-    return std::sqrt(std::max(0., (x * p.difference.x + y * p.difference.y) / scale.mass));
+    const Vector_of_doubles d = scale.moments.solve(p.difference.x, p.difference.y);
+    return std::sqrt((std::max)(0., (d.x * p.difference.x + d.y * p.difference.y) / scale.mass));
   }
 
-  void quarter_worst(std::vector<Part>& heap, const Vector_of_doubles& generator, const Region_sum& scale,
+  void quarter_worst(std::vector<Part>& heap, const Vector_of_doubles& generator, const Region_integrals& scale,
                      double& error) const
   {
     std::pop_heap(heap.begin(), heap.end());

@@ -8,14 +8,13 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_TESSELLATION_REGION_MOMENTS_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
-
-#include <cmath>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // What the optimizer needs of the Voronoi region V of a generator z, with w the
 // density of the measure: the integrals of w M and of w M (x - z). The mass
-// centre is z + pull, the gradient of the energy is -2 A pull.
+// centre is z + lloyd_move(), the gradient of the energy is -2 A lloyd_move().
 struct Region_moments
 {
   Symmetric_form a;         // the integral of w M
@@ -39,19 +38,16 @@ struct Region_moments
     return *this;
   }
 
-  // The vector from the generator to its mass centre; none for an empty region.
-  void pull(double& x, double& y) const { solve(gx, gy, x, y); }
+  // From the generator to its mass centre; none for an empty region.
+  Vector_of_doubles lloyd_move() const { return solve(gx, gy); }
 
-  // (x, y) = a^-1 (u, v)
-  void solve(double u, double v, double& x, double& y) const
+  // a^-1 (u, v)
+  Vector_of_doubles solve(double u, double v) const
   {
     const double det = a.determinant();
-    if(!(det > 0)) {
-      x = y = 0;
-      return;
-    }
-    x = (a.c*u - a.b*v) / det;
-    y = (a.a*v - a.b*u) / det;
+    if(!(det > 0))
+      return {0, 0};
+    return {(a.c*u - a.b*v) / det, (a.a*v - a.b*u) / det};
   }
 };
 

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_TESSELLATION_REGION_PIECES_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_TESSELLATION_REGION_PIECES_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_tds.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -15,12 +17,10 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 
 // The pieces of regions, which are connected sets of faces of a subdivision, and
 // their borders. Several regions can be worked on at the same time.
-template <class Subdivision>
 class Region_pieces
 {
-  typedef typename Subdivision::Tds         Tds;
-  typedef typename Subdivision::Face_handle Face_handle;
-  typedef typename Subdivision::Edge        Edge;
+  typedef Region_tds::Face_handle Face_handle;
+  typedef Region_tds::Edge        Edge;
 
 public:
   struct Piece
@@ -31,13 +31,14 @@ public:
 
   typedef std::vector<Edge> Border; // in order, each edge with the face on its left
 
-  explicit Region_pieces(const Subdivision& subdivision) : m_subdivision(subdivision) {}
+  explicit Region_pieces(const Region_tds& tds) : m_tds(tds) {}
 
   // The pieces of a region, the main ones first; their numbers are set in the faces.
-  std::vector<Piece> operator()(std::size_t region) const
+  template <class Face_range>
+  std::vector<Piece> operator()(const Face_range& faces_of_region) const
   {
     std::vector<Piece> pieces;
-    for(Face_handle f : m_subdivision.faces(region))
+    for(Face_handle f : faces_of_region)
       if(!f->is_collected)
         pieces.push_back(collect(f));
     std::stable_partition(pieces.begin(), pieces.end(), [](const Piece& p) { return p.is_main; });
@@ -86,16 +87,16 @@ private:
     do {
       border.push_back(e);
       e.first->is_followed[e.second] = true;
-      e = Edge(e.first, Tds::ccw(e.second));
+      e = Edge(e.first, Region_tds::ccw(e.second));
       while(!is_border(e)) {
-        const Edge mirror = m_subdivision.tds().mirror_edge(e);
-        e = Edge(mirror.first, Tds::ccw(mirror.second));
+        const Edge mirror = m_tds.mirror_edge(e);
+        e = Edge(mirror.first, Region_tds::ccw(mirror.second));
       }
     } while(e != start);
     return border;
   }
 
-  const Subdivision& m_subdivision;
+  const Region_tds& m_tds;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal
