@@ -35,7 +35,7 @@ struct Face_samples
 // With a constant tensor the difference of the squared distances is linear. What
 // it may be below its linear interpolation is taken from the middle of the face,
 // and from the square of the variation, so that it vanishes faster than the face.
-// The page "Derivations" of the manual tells why, also for the other distances.
+// "The Margins of a Face" on the page "Derivations" of the manual tells why.
 class Margin_at_points
 {
 public:
