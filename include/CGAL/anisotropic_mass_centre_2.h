@@ -12,8 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 
 namespace CGAL {
 
