@@ -91,7 +91,7 @@ public:
 
     Vertex_handle      vertex;           ///< the generator in the mesh
     Point_2            generator;        ///< its position
-    bool               is_fixed = false; ///< whether the generator ends a constrained edge
+    bool               is_fixed = false; ///< whether the generator is a fixed vertex of the mesh
     double             area = 0;         ///< the Euclidean area of all pieces
     std::vector<Piece> pieces;           ///< the main ones first
     /// triangles that make up the region, counterclockwise; next to bisectors
