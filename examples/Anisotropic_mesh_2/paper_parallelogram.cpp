@@ -19,9 +19,8 @@
 using K      = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point  = K::Point_2;
 using Tensor = CGAL::Metric_tensor_2<K>;
+using Mesh   = CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K> >;
 namespace np = CGAL::Anisotropic_mesh_2::parameters;
-using Field  = CGAL::Constant_metric_field_2<K>;
-using Mesh   = CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K, Field> >;
 
 void report(const Mesh& mesh, int iterations)
 {
@@ -36,7 +35,8 @@ int main()
 {
   CGAL::Anisotropic_mesh_domain_2<K> domain;
   domain.add_polygon(std::vector<Point>{{0, 0}, {30, 0}, {40, 14}, {10, 14}});
-  const Mesh unit_mesh = CGAL::make_anisotropic_mesh_2(domain, Field(Tensor::from_sizes(2, 0.5)));
+  const CGAL::Constant_metric_field_2<K> field(Tensor::from_sizes(2, 0.5));
+  const Mesh unit_mesh = CGAL::make_anisotropic_mesh_2(domain, field);
 
   // as many vertices as in the unit mesh, every other one in a small parallelogram at the centre
   Mesh mesh = unit_mesh.empty_mesh();

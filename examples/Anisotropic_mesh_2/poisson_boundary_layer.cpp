@@ -37,7 +37,7 @@ Jet solution(double x, double y)
 using Entries = std::array<double, 3>; // those of a Hessian: xx, xy, yy
 using Hessian = Entries (*)(const K::Point_2&);
 using Field   = CGAL::Hessian_metric_field_2<K, Hessian>;
-using Mesh    = CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K, Field> >;
+using Mesh    = CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K> >;
 
 Entries uniform(const K::Point_2&) { return {1, 0, 1}; }
 // the larger curvature, which gives the smaller size, in all directions

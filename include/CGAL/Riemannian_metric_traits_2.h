@@ -16,6 +16,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Triangulation_structural_filtering_traits.h>
 
+#include <functional>
 #include <memory>
 
 namespace CGAL {
@@ -37,11 +38,11 @@ namespace CGAL {
 /// in rounded arithmetic.
 ///
 /// \tparam K a model of `Kernel`.
-/// \tparam MetricField_ a model of `MetricField_2`, for example a function
-/// object from `K::Point_2` to `Metric_tensor_2<K>`.
+/// \tparam MetricField_ a model of `MetricField_2`. The default holds any function
+/// object from `K::Point_2` to `Metric_tensor_2<K>`, so that meshes under all fields are of one type.
 ///
 /// \cgalModels{RiemannianMetricTraits_2}
-template <class K, class MetricField_>
+template <class K, class MetricField_ = std::function<Metric_tensor_2<K>(const typename K::Point_2&)> >
 class Riemannian_metric_traits_2
   : public K
 {

@@ -90,13 +90,13 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
 /// \throw Anisotropic_mesh_2::Invalid_domain_exception if the domain is not valid; the message names the place.
 /// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain.
-/// \return the mesh, an `Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >`.
+/// \return the mesh, of the same type for all fields: `Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K> >`.
 template <class MetricField, class K, class CGAL_NP_TEMPLATE_PARAMETERS>
-Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K, MetricField> >
+Anisotropic_Delaunay_mesh_2<Riemannian_metric_traits_2<K> >
 make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const MetricField& field,
                         const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  typedef Riemannian_metric_traits_2<K, MetricField> Traits;
+  typedef Riemannian_metric_traits_2<K> Traits;
   return make_anisotropic_mesh_2<Anisotropic_Delaunay_mesh_2<Traits> >(domain, Traits(field), np);
 }
 

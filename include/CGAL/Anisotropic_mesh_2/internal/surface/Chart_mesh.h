@@ -43,10 +43,10 @@ class Chart_mesh
   typedef typename Chart::Point_2                  Point_2;
 
 public:
-  typedef Riemannian_metric_traits_2<Kernel, Chart> Traits;
-  typedef Anisotropic_Delaunay_mesh_2<Traits>       Mesh;
-  typedef typename Mesh::Vertex_handle              Vertex_handle;
-  typedef std::array<std::size_t, 2>                Chart_edge;
+  typedef Riemannian_metric_traits_2<Kernel>  Traits;
+  typedef Anisotropic_Delaunay_mesh_2<Traits> Mesh;
+  typedef typename Mesh::Vertex_handle        Vertex_handle;
+  typedef std::array<std::size_t, 2>          Chart_edge;
 
   Chart_mesh(const Surface_mesh& surface_mesh, const Part& part)
     : m_surface_mesh(surface_mesh), m_part(part), m_mesh(Traits(part.chart))

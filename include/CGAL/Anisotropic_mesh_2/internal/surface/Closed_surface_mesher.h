@@ -42,7 +42,7 @@ class Closed_surface_mesher
   typedef Surface_chart<Field>                      Chart;
   typedef typename Chart::Kernel                    Kernel;
   typedef typename Chart::Point_2                   Point_2;
-  typedef Riemannian_metric_traits_2<Kernel, Chart> Traits;
+  typedef Riemannian_metric_traits_2<Kernel>        Traits;
   typedef Anisotropic_Delaunay_mesh_2<Traits>       Mesh;
 
 public:
