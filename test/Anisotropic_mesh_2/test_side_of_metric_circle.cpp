@@ -12,7 +12,6 @@
 #include <CGAL/Cartesian_converter.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -26,7 +25,7 @@
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel   K;
 typedef CGAL::Exact_predicates_exact_constructions_kernel     Lazy;
-typedef CGAL::Exact_rational                                  Rational;
+typedef Lazy::Exact_kernel::FT                                Rational;
 typedef CGAL::Simple_cartesian<Rational>                      Exact;
 typedef K::Point_2                                            Point;
 typedef CGAL::Metric_tensor_2<K>                              Tensor;

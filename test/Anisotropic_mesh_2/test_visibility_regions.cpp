@@ -45,7 +45,7 @@ Mesh optimized_mesh(const Case& c, Measure measure, int iterations)
   return mesh;
 }
 
-double area_of(const Polygon& polygon)
+double enclosed_area(const Polygon& polygon)
 {
   double area = 0;
   for(std::size_t i = 2; i < polygon.size(); ++i)
@@ -53,11 +53,11 @@ double area_of(const Polygon& polygon)
   return area;
 }
 
-double area_of(const std::vector<Polygon>& polygons)
+double enclosed_area(const std::vector<Polygon>& polygons)
 {
   double area = 0;
   for(const Polygon& p : polygons)
-    area += area_of(p);
+    area += enclosed_area(p);
   return area;
 }
 
@@ -159,8 +159,8 @@ Errors errors_against_cells(const Mesh& mesh, const Polygon& domain, const Tenso
     const double error = metric_distance(v, centroid(cell, density), centre);
     e.mean_of_centres += error / double(vertices.size());
     e.largest_of_centres = (std::max)(e.largest_of_centres, error);
-    const double area = area_of(CGAL::anisotropic_visibility_region_2(mesh, v, s));
-    e.largest_of_areas = (std::max)(e.largest_of_areas, std::abs(area / area_of(cell) - 1));
+    const double area = enclosed_area(CGAL::anisotropic_visibility_region_2(mesh, v, s));
+    e.largest_of_areas = (std::max)(e.largest_of_areas, std::abs(area / enclosed_area(cell) - 1));
   }
   return e;
 }
@@ -211,7 +211,7 @@ void test_regular_hexagon()
   for(int steps : {1, 3, 10}) {
     const auto region = CGAL::anisotropic_visibility_region_2(mesh, v, sampling(10, steps));
     CHECK(region.size() == 1 && region[0].size() == 60);
-    CHECK(std::abs(area_of(region) - std::sqrt(3.) / 4) < 1e-9);
+    CHECK(std::abs(enclosed_area(region) - std::sqrt(3.) / 4) < 1e-9);
   }
   Region_moments moments;
   const double energy = Visibility_energy<Mesh>(mesh, Measure::RIEMANNIAN).add_region(v, moments);
@@ -340,8 +340,8 @@ void test_shrunk_testing_region(const Case& c)
   int same = 0;
   const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
   for(Mesh::Vertex_handle v : vertices) {
-    const double ratio = area_of(CGAL::anisotropic_visibility_region_2(mesh, v, shrunk))
-                       / area_of(CGAL::anisotropic_visibility_region_2(mesh, v));
+    const double ratio = enclosed_area(CGAL::anisotropic_visibility_region_2(mesh, v, shrunk))
+                       / enclosed_area(CGAL::anisotropic_visibility_region_2(mesh, v));
     const Point p = CGAL::anisotropic_mass_centre_2(mesh, v, Measure::RIEMANNIAN, shrunk);
     const double move = metric_distance(v, p, CGAL::anisotropic_mass_centre_2(mesh, v));
     const bool is_same = std::abs(ratio - 1) < 1e-6 && move < 1e-6;
@@ -393,7 +393,7 @@ void check_regions(const Mesh& mesh, double area_of_domain, double tolerance, co
         CHECK_MSG(CGAL::area(v->point(), p, q) > -1e-15, name);
       }
     }
-    area += area_of(polygons);
+    area += enclosed_area(polygons);
   }
   CHECK_MSG(std::abs(area / area_of_domain - 1) < tolerance, name + ": " + std::to_string(area / area_of_domain));
 }
