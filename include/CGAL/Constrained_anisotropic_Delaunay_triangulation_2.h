@@ -9,9 +9,9 @@
 
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/face_marks.h>
+#include <CGAL/Anisotropic_mesh_2/internal/kernel/Flip_policy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Triangulation_checker_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Vertex_remover_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 
 #include <CGAL/Constrained_triangulation_2.h>
@@ -474,41 +474,22 @@ public:
         || !is_in_conflict(e.first, f->vertex(i));
   }
 
-  /// whether the tensors of the four vertices around the edge are multiples of `m`.
-  bool has_multiples_of(const Metric_tensor_2& m, const Edge& e) const
-  {
-    const Edge n = mirror_edge(e);
-    for(Vertex_handle v : {e.first->vertex(0), e.first->vertex(1), e.first->vertex(2), n.first->vertex(n.second)})
-      if(!is_multiple_of(v->metric_tensor(), m))
-        return false;
-    return true;
-  }
-
   /// flips the given edges, and then those around the flipped ones, until all
   /// are locally Delaunay.
   ///
   /// This ends by itself where all tensors involved are multiples of
   /// one, as with a constant or an isotropic metric. With different tensors flips
   /// might go around in a circle; therefore, after a number of flips
-  /// proportional to that of the edges, each must also raise the smallest angle
-  /// of the two faces, measured in the mean of the tensors of the vertices of each;
-  /// and since rounding errors may let even angles rise endlessly, all flips end after
+  /// proportional to that of the edges, only those are done that raise the lower quality of the two faces, measured
+  /// in the mean of the tensors of the vertices of each;
+  /// and since rounding errors may let even qualities rise endlessly, all flips end after
   /// a fixed multiple of that number.
   /// \return the number of flips.
   size_type restore_local_criterion(std::vector<Edge> edges)
   {
-    if(edges.empty())
-      return 0;
-    const Metric_tensor_2 first = a_tensor_of(edges.front());
-    const size_type free_flips = 4 * edges.size() + 16;
-    size_type flips = 0;
-    bool is_uniform = true;
-    return flip_edges(std::move(edges), [&](const Edge& e) {
-      if(is_locally_Delaunay(e.first, e.second))
-        return false;
-      is_uniform = is_uniform && has_multiples_of(first, e);
-      return ++flips <= free_flips || is_uniform || (flips <= 16 * free_flips && flip_raises_smallest_angle(e));
-    });
+    using namespace Anisotropic_mesh_2::internal;
+    Flip_policy<Self, Quality_in_mean_tensor> policy(*this, Quality_in_mean_tensor(), edges.size());
+    return flip_edges(std::move(edges), [&](const Edge& e) { return policy(e); });
   }
 
   /// flips those of the given edges for which `is_wanted` holds, and then those
@@ -786,32 +767,6 @@ private:
       opposite.push_back(Edge(e.first, e.first->index(v)));
       opposite.push_back(Edge(outside, outside->index(v)));
     }
-  }
-
-  // whether the flip lowers the largest cotangent in the two faces, that is,
-  // raises their smallest angle, by more than rounding errors can
-  bool flip_raises_smallest_angle(const Edge& e) const
-  {
-    const Edge m = mirror_edge(e);
-    const Vertex_handle p = e.first->vertex(e.second), q = m.first->vertex(m.second);
-    const Vertex_handle a = e.first->vertex(ccw(e.second)), b = e.first->vertex(cw(e.second));
-    const double before = (std::max)(largest_cotangent(p, a, b), largest_cotangent(q, b, a));
-    const double after = (std::max)(largest_cotangent(p, a, q), largest_cotangent(q, b, p));
-    return after >= 0 && after < before * (1 - 1e-9);
-  }
-
-  // of the angles of a triangle in the mean of the tensors of its vertices
-  static double largest_cotangent(Vertex_handle a, Vertex_handle b, Vertex_handle c)
-  {
-    using Anisotropic_mesh_2::internal::Symmetric_form;
-    const Symmetric_form m = Symmetric_form(a->metric_tensor()) + Symmetric_form(b->metric_tensor())
-                           + Symmetric_form(c->metric_tensor());
-    return Anisotropic_mesh_2::internal::largest_cotangent(a->point(), b->point(), c->point(), m);
-  }
-
-  static const Metric_tensor_2& a_tensor_of(const Edge& e)
-  {
-    return e.first->vertex(ccw(e.second))->metric_tensor();
   }
 
   // whether the faces of v would be counterclockwise if v stood at p

@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/face_marks.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/have_multiples_of.h>
 
 #include <CGAL/enum.h>
 
@@ -56,7 +57,7 @@ private:
       return "a vertex does not have the tensor of the field at its point";
     if(level >= 1 && !has_distinct_indices())
       return "the index of a vertex is out of range or not its own";
-    if(level >= 2 && m_t.dimension() == 2 && has_multiples_of_one_tensor() && !is_locally_Delaunay())
+    if(level >= 2 && m_t.dimension() == 2 && is_uniform() && !is_locally_Delaunay())
       return "an edge is not locally Delaunay";
     return nullptr;
   }
@@ -112,13 +113,9 @@ private:
     return true;
   }
 
-  bool has_multiples_of_one_tensor() const
+  bool is_uniform() const
   {
-    const auto first = m_t.finite_vertices_begin();
-    for(auto v = first; v != m_t.finite_vertices_end(); ++v)
-      if(!is_multiple_of(v->metric_tensor(), first->metric_tensor()))
-        return false;
-    return true;
+    return have_multiples_of(m_t.finite_vertex_handles(), m_t.finite_vertices_begin()->metric_tensor());
   }
 
   bool is_locally_Delaunay() const

@@ -35,16 +35,6 @@ double metric_quality(const Point_2& a, const Point_2& b, const Point_2& c, cons
                            std::sqrt(m.determinant()) * (ux*vy - uy*vx));
 }
 
-// the cotangent, in M, of the smallest angle of a counterclockwise triangle
-template <class Point_2>
-double largest_cotangent(const Point_2& a, const Point_2& b, const Point_2& c, const Symmetric_form& m)
-{
-  const double ux = CGAL::to_double(b.x() - a.x()), uy = CGAL::to_double(b.y() - a.y());
-  const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
-  const double uu = m(ux, uy), vv = m(vx, vy), uv = m(ux, uy, vx, vy);
-  return (std::max)(uv, (std::max)(uu - uv, vv - uv)) / (std::sqrt(m.determinant()) * (ux*vy - uy*vx));
-}
-
 template <class Point_2, class Construct_tensor>
 Symmetric_form metric_at_barycentre(const Point_2& a, const Point_2& b, const Point_2& c,
                                     const Construct_tensor& tensor)
