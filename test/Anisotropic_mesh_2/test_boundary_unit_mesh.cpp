@@ -29,7 +29,7 @@ typedef CGAL::Metric_tensor_2<K>                                  Tensor;
 typedef CGAL::Anisotropic_mesh_domain_2<K>                        Domain;
 typedef CGAL::Anisotropic_mesh_2::Curve_piece_2<K>                                    Piece;
 namespace internal = CGAL::Anisotropic_mesh_2::internal;
-typedef internal::Boundary_graph_2<K>                              Mesh;
+typedef CGAL::Anisotropic_mesh_2::Boundary_graph_2<K>                Mesh;
 
 const double pi = 3.141592653589793;
 const std::size_t limit = 10000000;
