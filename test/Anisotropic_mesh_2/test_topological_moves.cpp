@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The topological moves at the end of an optimization: they better the shape of
-// faces and leave alone what they must.
+// The quality moves at the end of an optimization: each operation alone, what is
+// accepted, and that they improve the shape of faces and leave alone what they must.
 
 #include "check.h"
 #include "meshes.h"
@@ -21,17 +21,21 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 using CGAL::Anisotropic_mesh_2::Mesh_statistics;
-using CGAL::Anisotropic_mesh_2::internal::Mesh_patch;
-using CGAL::Anisotropic_mesh_2::internal::Patch_flipper;
-using CGAL::Anisotropic_mesh_2::internal::Patch_writer;
+using CGAL::Anisotropic_mesh_2::internal::Edge_swapper;
+using CGAL::Anisotropic_mesh_2::internal::Quality_acceptance;
+using CGAL::Anisotropic_mesh_2::internal::Vertex_smoother;
 namespace np = CGAL::Anisotropic_mesh_2::parameters;
+typedef CGAL::Anisotropic_mesh_2::internal::Mesh_patch<Mesh> Patch;
 
 // ---------------------------------------------------------------- what is compared
 
@@ -67,16 +71,18 @@ std::map<int, double> areas_of_subdomains(const Mesh& mesh)
 // the faces by their points, each from its least one on, in order
 typedef std::array<std::pair<double, double>, 3> Corners;
 
+Corners corners(const Point& a, const Point& b, const Point& c)
+{
+  Corners result{{coordinates(a), coordinates(b), coordinates(c)}};
+  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  return result;
+}
+
 std::vector<Corners> faces_of(const Mesh& mesh)
 {
   std::vector<Corners> result;
-  for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f) {
-    Corners c;
-    for(int i = 0; i < 3; ++i)
-      c[i] = coordinates(f->vertex(i)->point());
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    result.push_back(c);
-  }
+  for(auto f = mesh.finite_faces_begin(); f != mesh.finite_faces_end(); ++f)
+    result.push_back(corners(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -175,9 +181,8 @@ void test_rough_metric()
 // ---------------------------------------------------------------- planted defects
 
 // equilateral triangles of unit sides in a hexagon, stretched by the metric
-Mesh lattice(int n)
+Mesh lattice(int n, const Field& field = [](const Point&) { return Tensor::from_entries(4, 0, 1); })
 {
-  const Field field = [](const Point&) { return Tensor::from_entries(4, 0, 1); };
   Mesh mesh{CGAL::Riemannian_metric_traits_2<K, Field>(field)};
   Mesh::Boundary_graph boundary;
   std::vector<Point> inner;
@@ -228,7 +233,7 @@ void check_mended(Mesh& mesh, std::size_t vertices, const std::string& name)
 {
   const Mesh before = mesh;
   const double least = least_quality(before);
-  CGAL::improve_anisotropic_mesh_2(mesh);
+  CHECK_MSG(CGAL::improve_anisotropic_mesh_2(mesh).return_code == CGAL::CONVERGENCE_REACHED, name);
   check_untouched(name, before, mesh, 2);
   CHECK_MSG(least < 0.8 && least_quality(mesh) > 0.88,
             name + ": " + std::to_string(least) + ", " + std::to_string(least_quality(mesh)));
@@ -241,7 +246,7 @@ void test_planted_defects()
   const std::size_t n = regular.number_of_vertices();
   CHECK(n == 127 && least_quality(regular) > 1 - 1e-9);
   Mesh mesh = regular;
-  CGAL::improve_anisotropic_mesh_2(mesh);
+  CHECK(CGAL::improve_anisotropic_mesh_2(mesh).return_code == CGAL::CONVERGENCE_REACHED);
   CHECK(faces_of(mesh) == faces_of(regular)); // nothing is bad, nothing is touched
 
   mesh.remove(vertex_near(mesh, 0.25, 0.9));
@@ -257,7 +262,7 @@ void test_planted_defects()
   check_mended(mesh, n, "a turned edge");
 }
 
-// ---------------------------------------------------------------- patches
+// ---------------------------------------------------------------- operations
 
 std::vector<Mesh::Face_handle> star_of(const Mesh& mesh, Mesh::Vertex_handle v)
 {
@@ -269,53 +274,294 @@ std::vector<Mesh::Face_handle> star_of(const Mesh& mesh, Mesh::Vertex_handle v)
   return faces;
 }
 
-// What is done and undone on a patch leaves the mesh as it was.
-void test_patch()
+Patch::Vertex_handle free_vertex(const Patch& patch)
 {
-  Mesh mesh = lattice(3);
-  const Mesh regular = mesh;
-  const std::vector<Mesh::Face_handle> star = star_of(mesh, vertex_near(mesh, 0, 0));
-  Mesh_patch<Mesh> patch(mesh, star);
-  int center = 0;
-  while(!patch.is_free(center))
-    ++center;
-  CHECK(patch.number_of_vertices() == 7 && patch.rim().size() == 6 && patch.degree(center) == 6);
-
-  const int f = 0, i = Mesh::ccw(patch.faces()[f].index(center)); // an edge of the center
-  CHECK(patch.is_flippable(f, i));
-  patch.flip(f, i);
-  CHECK(patch.degree(center) == 5 && patch.least_quality() < 0.7);
-  const int g = patch.faces()[f].neighbor[1]; // across the new edge
-  patch.flip(g, patch.faces()[g].index_of_neighbor(f));
-  const Point p = CGAL::centroid(mesh.triangle(star[3]));
-  patch.split(3, p);
-  CHECK(patch.number_of_faces() == 8 && patch.degree(7) == 3);
-  patch.unite(7);
-  CHECK(patch.is_removed(7) && patch.degree(center) == 6 && patch.least_quality() > 1 - 1e-9);
-
-  std::vector<Mesh::Vertex_handle> vertex_of_index(mesh.vertex_index_bound());
-  for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
-    vertex_of_index[v->index()] = v;
-  Patch_writer<Mesh>(mesh, star)(patch, vertex_of_index);
-  check_untouched("a patch written back", regular, mesh, 2);
-  CHECK(faces_of(mesh) == faces_of(regular));
+  Patch::Vertex_handle result;
+  for(auto v = patch.tds().vertices_begin(); v != patch.tds().vertices_end(); ++v)
+    if(patch.is_free(v))
+      result = v;
+  return result;
 }
 
-// The criterion must hold on the rim too, where no edge of the patch is flipped.
-void test_rim_of_patch()
+std::vector<Corners> faces_of(const Patch& patch)
+{
+  std::vector<Corners> result;
+  patch.for_each_face([&](Patch::Face_handle f) {
+    result.push_back(corners(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()));
+  });
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// A disc of counterclockwise faces, whose neighbors agree and whose shapes are up to date.
+// Ends of a constrained edge that cuts into it are on two sides, but for the inner one.
+void check_patch(const Patch& patch, std::size_t number_of_faces, const std::string& name, int characteristic = 1)
+{
+  std::set<int> vertices;
+  int faces = 0, border_edges = 0;
+  patch.for_each_face([&](Patch::Face_handle f) {
+    ++faces;
+    const auto shape = patch.shape(f->vertex(0), f->vertex(1), f->vertex(2));
+    CHECK_MSG(shape.quality > 0 && std::abs(shape.quality - f->info().quality) < 1e-12, name);
+    for(int i = 0; i < 3; ++i) {
+      vertices.insert(f->vertex(i)->index());
+      border_edges += patch.is_on_border(Patch::Edge(f, i));
+      const Patch::Edge mirror = patch.tds().mirror_edge(Patch::Edge(f, i));
+      CHECK_MSG(mirror.first->neighbor(mirror.second) == f, name);
+    }
+  });
+  CHECK_MSG(faces == int(number_of_faces), name + ": " + std::to_string(faces) + " faces");
+  CHECK_MSG(int(vertices.size()) - (3*faces + border_edges) / 2 + faces == characteristic,
+            name + ": Euler's formula");
+}
+
+// Each operation on the star of a vertex of degree 6, and the one that takes it back.
+void test_operations()
 {
   const Mesh mesh = lattice(3);
-  const Mesh::Vertex_handle v = vertex_near(mesh, 0, 0);
-  Mesh_patch<Mesh> patch(mesh, star_of(mesh, v));
-  const Patch_flipper<Mesh> flipper(mesh);
-  int center = 0;
-  while(!patch.is_free(center))
-    ++center;
-  CHECK(flipper.keeps_rim(patch));
-  patch.move(center, Point(0, 0.1));
-  CHECK(flipper.keeps_rim(patch));
-  patch.move(center, Point(0, 0.8)); // close to an edge of the rim
-  CHECK(!flipper.keeps_rim(patch));
+  const Patch start(mesh, star_of(mesh, vertex_near(mesh, 0, 0)));
+  const std::vector<Corners> faces = faces_of(start);
+  check_patch(start, 6, "start");
+  CHECK(start.mesh_vertices().size() == 13); // those beyond the border too
+
+  for(int i = 0; i < 3; ++i) {
+    Patch patch = start;
+    const Patch::Edge e(patch.first_face(), i);
+    if(patch.is_on_border(e)) {
+      CHECK(!split_edge(patch, e) && faces_of(patch) == faces);
+      CHECK(!collapse(patch, e.first->vertex(Mesh::cw(i))) && faces_of(patch) == faces);
+      continue;
+    }
+    CHECK(split_edge(patch, e));
+    check_patch(patch, 8, "divided edge");
+    const auto is_new = [](const Patch::Vertex& v) { return v.info() && v.index() >= 13; };
+    const auto v = std::find_if(patch.tds().vertices_begin(), patch.tds().vertices_end(), is_new);
+    CHECK(patch.tds().degree(v) == 4 && collapse(patch, v));
+    check_patch(patch, 6, "divided edge, vertex removed");
+    CHECK(faces_of(patch) == faces);
+  }
+
+  Patch patch = start;
+  CHECK(split_face(patch, patch.first_face()));
+  check_patch(patch, 8, "divided face");
+  const auto last = patch.first_face()->vertex(0);
+  CHECK(last->index() == 13 && collapse(patch, last) && faces_of(patch) == faces);
+
+  Patch without = start;
+  CHECK(collapse(without, free_vertex(without)));
+  check_patch(without, 4, "removed vertex");
+
+  Patch swapped = start; // the centre loses an edge, and gets it back by the criterion
+  const Patch::Vertex_handle center = free_vertex(swapped);
+  swapped.flip(Patch::Edge(center->face(), Mesh::ccw(center->face()->index(center))));
+  check_patch(swapped, 6, "flipped edge");
+  const Edge_swapper<Patch> swap(mesh.geom_traits());
+  CHECK(swapped.tds().degree(center) == 5 && swap(swapped) && !swap(swapped) && faces_of(swapped) == faces);
+
+  Patch moved = start;
+  const Patch::Vertex_handle w = free_vertex(moved);
+  const Point p(0.1, 0.2);
+  moved.move(w, p, moved.tensor(p), moved.shapes_around(w, p));
+  check_patch(moved, 6, "moved vertex");
+  const Vertex_smoother<Patch> smooth(mesh.geom_traits());
+  for(int k = 0; k < 5; ++k)
+    smooth(moved, 1, std::vector<bool>(13, true));
+  check_patch(moved, 6, "vertex moved back");
+  CHECK(std::hypot(w->point().x(), w->point().y()) < 1e-3);
+  CHECK(std::size_t(mesh.number_of_vertices()) == 37);
+}
+
+// everything that a mesh knows, by handles
+struct Snapshot
+{
+  std::vector<std::tuple<Mesh::Face_handle, std::array<Mesh::Vertex_handle, 3>, std::array<Mesh::Face_handle, 3>,
+                         std::array<int, 3>, bool, int> > faces;
+  std::vector<std::tuple<Mesh::Vertex_handle, Point, double, double, double, int, Mesh::Face_handle> > vertices;
+
+  explicit Snapshot(const Mesh& mesh)
+  {
+    for(auto f = mesh.all_faces_begin(); f != mesh.all_faces_end(); ++f) {
+      std::array<int, 3> marks;
+      for(int i = 0; i < 3; ++i)
+        marks[i] = f->is_constrained(i) ? mesh.edge_reference(Mesh::Edge(f, i)) : -1;
+      faces.emplace_back(f, std::array<Mesh::Vertex_handle, 3>{{f->vertex(0), f->vertex(1), f->vertex(2)}},
+                         std::array<Mesh::Face_handle, 3>{{f->neighbor(0), f->neighbor(1), f->neighbor(2)}}, marks,
+                         f->is_in_domain(), f->subdomain_index());
+    }
+    for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
+      vertices.emplace_back(v, v->point(), v->metric_tensor().m11(), v->metric_tensor().m12(),
+                            v->metric_tensor().m22(), v->index(), v->face());
+  }
+
+  bool operator==(const Snapshot& s) const { return faces == s.faces && vertices == s.vertices; }
+};
+
+// What is tried on a patch does not touch the mesh until it is written; then the mesh has just these faces,
+// and constraints, references, subdomains and other vertices are as before. One patch is around the end of a
+// constrained edge, which is on its border from both sides.
+void test_write_to_mesh()
+{
+  const Case c = further_cases()[1];
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  const Mesh before = mesh;
+  for(const Point& p : {Point(3.3, 2.7), Point(1, 3), Point(2.5, 1), Point(1.6, 2.4)}) {
+    const Mesh::Vertex_handle v = vertex_near(mesh, p.x(), p.y());
+    const bool is_end = v->point() == p;
+    CHECK(is_end == mesh.is_fixed(v));
+    const Snapshot snapshot(mesh);
+    const std::vector<Corners> old_faces = faces_of(mesh);
+    Patch patch(mesh, star_of(mesh, v));
+    const std::vector<Corners> old_patch = faces_of(patch);
+    split_face(patch, patch.first_face());
+    std::vector<Patch::Edge> edges;
+    patch.for_each_edge([&](const Patch::Edge& e) { edges.push_back(e); });
+    split_edge(patch, edges.back());
+    const Edge_swapper<Patch> swap(mesh.geom_traits());
+    swap(patch);
+    const Vertex_smoother<Patch> smooth(mesh.geom_traits());
+    smooth(patch, 1, std::vector<bool>(patch.mesh_vertices().size(), true));
+    CHECK(collapse(patch, free_vertex(patch)));
+    const std::vector<Corners> new_patch = faces_of(patch);
+    check_patch(patch, old_patch.size() + 2, c.name, is_end ? 0 : 1);
+    CHECK(snapshot == Snapshot(mesh));
+    { Patch forgotten = patch; }
+    CHECK(snapshot == Snapshot(mesh));
+
+    patch.write_to(mesh);
+    std::vector<Corners> expected, faces = faces_of(mesh);
+    std::set_difference(old_faces.begin(), old_faces.end(), old_patch.begin(), old_patch.end(), std::back_inserter(expected));
+    expected.insert(expected.end(), new_patch.begin(), new_patch.end());
+    std::sort(expected.begin(), expected.end());
+    CHECK(faces == expected && faces != old_faces);
+    CHECK(mesh.is_valid(true, 1) && constraints_of(mesh) == constraints_of(before));
+    for(const auto& a : areas_of_subdomains(before))
+      CHECK(std::abs(areas_of_subdomains(mesh)[a.first] - a.second) < 1e-9);
+    std::size_t same = 0;
+    for(const auto& old : snapshot.vertices)
+      for(auto w = mesh.finite_vertices_begin(); w != mesh.finite_vertices_end(); ++w)
+        same += std::get<0>(old) == Mesh::Vertex_handle(w) && std::get<5>(old) == w->index();
+    CHECK(same + 1 >= snapshot.vertices.size());
+  }
+}
+
+// ---------------------------------------------------------------- acceptance
+
+void move_center(Patch& patch, const Point& p)
+{
+  const Patch::Vertex_handle v = free_vertex(patch);
+  patch.move(v, p, patch.tensor(p), patch.shapes_around(v, p));
+}
+
+// Better shapes are refused where the criterion would flip an edge on the border, which no operation can.
+void test_border_of_patch()
+{
+  const Mesh mesh = lattice(3);
+  const Patch patch(mesh, star_of(mesh, vertex_near(mesh, 0, 0)));
+  const Edge_swapper<Patch> swapper(mesh.geom_traits());
+  Patch bad = patch, better = patch, good = patch;
+  move_center(bad, Point(0, 0.83)); // close to an edge on the border
+  move_center(better, Point(0, 0.8));
+  move_center(good, Point(0, 0.1));
+  CHECK(swapper.keeps_border(patch) && swapper.keeps_border(good));
+  CHECK(!swapper.keeps_border(bad) && !swapper.keeps_border(better));
+  Quality_acceptance<Patch> accept(bad, 0.88);
+  CHECK(accept.cost(better) < accept.cost_limit() && !accept(better) && !accept.is_satisfied());
+  CHECK(accept(good) && accept.is_satisfied() && !accept(good)); // which is no longer better
+}
+
+// Better shapes are refused where an edge leaves the unit band. Sizes are tiny
+// around the middle of an edge, where no face of the star has its barycentre.
+void test_unit_band()
+{
+  Mesh mesh = lattice(3, [](const Point& p) {
+    const double r = std::hypot(p.x() - 0.25, p.y());
+    return Tensor::from_entries(r < 0.04 ? 4e3 : 4, 0, r < 0.04 ? 1e3 : 1);
+  });
+  const Patch patch(mesh, star_of(mesh, vertex_near(mesh, 0, 0)));
+  Patch start = patch, good = patch, other = patch;
+  move_center(start, Point(0, 0.2));
+  move_center(good, Point(0, 0)); // with an edge through the spot
+  move_center(other, Point(0, 0.1));
+  Quality_acceptance<Patch> accept(start, 0.88);
+  CHECK(accept.cost(good) < accept.cost(other) && accept.cost(other) < accept.cost_limit());
+  CHECK(!accept(good) && accept(other));
+}
+
+// a convex polygon, with its vertices only
+Mesh polygon_mesh(const std::vector<Point>& points, const Field& field)
+{
+  Mesh mesh{CGAL::Riemannian_metric_traits_2<K, Field>(field)};
+  Mesh::Boundary_graph boundary;
+  boundary.points = points;
+  for(std::size_t k = 0; k < points.size(); ++k)
+    boundary.segments.push_back({k, (k + 1) % points.size(), 1, true});
+  mesh.insert_boundary(boundary);
+  return mesh;
+}
+
+// No move takes an edge out of the unit band: at its best place the vertex would have two that are 1.45 long.
+void test_band_of_moves()
+{
+  Mesh mesh = polygon_mesh({Point(1.45, 0), Point(0, 0.8), Point(-1.45, 0), Point(0, -0.8)},
+                           [](const Point&) { return Tensor::from_entries(1, 0, 1); });
+  Patch patch(mesh, star_of(mesh, mesh.insert(Point(0.2, 0.1))));
+  const Patch::Vertex_handle v = free_vertex(patch);
+  const Vertex_smoother<Patch> smooth(mesh.geom_traits());
+  for(int k = 0; k < 10; ++k)
+    smooth(patch, 1, std::vector<bool>(5, true));
+  check_patch(patch, 4, "band of moves");
+  CHECK(v->point() != Point(0.2, 0.1) && CGAL::squared_distance(v->point(), Point(1.45, 0)) <= 1.4 * 1.4);
+}
+
+// No flip by quality makes an edge that is out of the unit band in the place of one that is in it.
+void test_band_of_swaps()
+{
+  for(double length : {1.3, 1.45}) {
+    Mesh mesh = polygon_mesh({Point(0, -0.5), Point(0.2, 0), Point(0, 0.5), Point(0.2 - length, 0)},
+                             [](const Point& p) { return Tensor::from_entries(1 + 1e-4*p.x(), 0, 1); });
+    const Mesh::Face_handle f = mesh.finite_faces_begin();
+    const Mesh::Vertex_handle right = vertex_near(mesh, 0.2, 0), left = vertex_near(mesh, 0.2 - length, 0);
+    if(f->has_vertex(right) && f->has_vertex(left))
+      mesh.flip(f, 3 - f->index(right) - f->index(left));
+    std::vector<Mesh::Face_handle> faces;
+    for(auto g = mesh.finite_faces_begin(); g != mesh.finite_faces_end(); ++g)
+      faces.push_back(g);
+    Patch patch(mesh, faces);
+    const Edge_swapper<Patch> swap(mesh.geom_traits());
+    CHECK(faces.size() == 2 && swap(patch) == (length < 1.4));
+    check_patch(patch, 2, "band of swaps");
+  }
+}
+
+// Where tensors differ much, an edge that has been flipped for the sake of the
+// criterion would leave bad faces: the quality decides there.
+void test_rough_edges()
+{
+  const Case c = paper_cases()[3];
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::quality_moves(false).number_of_iterations(5));
+  const auto tensor = mesh.geom_traits().construct_metric_tensor_2_object();
+  const auto quality = [&](Mesh::Vertex_handle u, Mesh::Vertex_handle v, Mesh::Vertex_handle w) {
+    return CGAL::Anisotropic_mesh_2::internal::quality_at_barycentre(u->point(), v->point(), w->point(), tensor);
+  };
+  int rough = 0;
+  for(const Mesh::Edge& e : mesh.edges_in_domain()) {
+    if(!mesh.is_flippable(e.first, e.second))
+      continue;
+    const Mesh::Vertex_handle p = e.first->vertex(e.second), q = mesh.mirror_vertex(e.first, e.second);
+    const Mesh::Vertex_handle a = e.first->vertex(Mesh::ccw(e.second)), b = e.first->vertex(Mesh::cw(e.second));
+    double least = 1e300, largest = 0; // of the sizes in the direction of the y axis
+    for(Mesh::Vertex_handle v : {p, q, a, b}) {
+      least = (std::min)(least, v->metric_tensor().m22());
+      largest = (std::max)(largest, v->metric_tensor().m22());
+    }
+    if(largest < 16 * least)
+      continue;
+    ++rough;
+    CHECK((std::min)(quality(p, a, q), quality(q, b, p))
+          < (std::min)(quality(p, a, b), quality(q, b, a)) + 1e-6);
+  }
+  CHECK_MSG(rough > 50, std::to_string(rough) + " rough edges");
 }
 
 // ---------------------------------------------------------------- disorder
@@ -336,7 +582,10 @@ void test_random_points()
     for(const Mesh::Vertex_handle v : inner)
       CHECK(mesh.move_if_no_collision(v, Point(random.real(0.01, 0.99), random.real(0.01, 0.99))) == v);
     const Mesh before = mesh;
-    CGAL::improve_anisotropic_mesh_2(mesh);
+    Mesh again = mesh;
+    const auto code = CGAL::improve_anisotropic_mesh_2(mesh).return_code;
+    CHECK_MSG(code == CGAL::CANT_IMPROVE_ANYMORE || code == CGAL::MAX_ITERATION_NUMBER_REACHED, std::to_string(code));
+    CHECK(CGAL::improve_anisotropic_mesh_2(again).return_code == code && faces_of(again) == faces_of(mesh));
     check_untouched("random points", before, mesh, 2);
     CHECK(faces_of(mesh) != faces_of(before) && least_quality(mesh) >= least_quality(before));
     CHECK(edges_outside_of_unit_band(mesh) < edges_outside_of_unit_band(before));
@@ -399,7 +648,7 @@ void test_random_metric()
   Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), Field(Failing_field{state, field}));
   const Mesh before = mesh;
   state->done = 0;
-  CGAL::improve_anisotropic_mesh_2(mesh);
+  CHECK(CGAL::improve_anisotropic_mesh_2(mesh).return_code == CGAL::MAX_ITERATION_NUMBER_REACHED); // there are too many bad faces
   CHECK_MSG(state->done < 20000 * long(before.number_of_faces()), std::to_string(state->done) + " evaluations for "
             + std::to_string(before.number_of_faces()) + " faces");
   check_untouched("random metric", before, mesh, 1);
@@ -441,8 +690,13 @@ int main()
         test_case(c);
   test_rough_metric();
   test_planted_defects();
-  test_patch();
-  test_rim_of_patch();
+  test_operations();
+  test_write_to_mesh();
+  test_border_of_patch();
+  test_unit_band();
+  test_band_of_moves();
+  test_band_of_swaps();
+  test_rough_edges();
   test_random_points();
   test_failing_field();
   test_random_metric();

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
@@ -33,6 +34,13 @@ double metric_quality(const Point_2& a, const Point_2& b, const Point_2& c, cons
   const double vx = CGAL::to_double(c.x() - a.x()), vy = CGAL::to_double(c.y() - a.y());
   return quality_from_gram(Symmetric_form(m(ux, uy), m(ux, uy, vx, vy), m(vx, vy)),
                            std::sqrt(m.determinant()) * (ux*vy - uy*vx));
+}
+
+// What a face of quality q costs: of good faces it is a multiple of what q lacks of 1, of bad ones much more,
+// so neither the mean nor the least quality is improved at too high a price in the other.
+inline double quality_penalty(double q)
+{
+  return q > 0 ? 1 / ((q*q*q) * (q*q*q)) - 1 : std::numeric_limits<double>::infinity();
 }
 
 template <class Point_2, class Construct_tensor>

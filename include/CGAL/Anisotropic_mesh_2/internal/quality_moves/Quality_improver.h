@@ -8,28 +8,29 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_QUALITY_IMPROVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
-#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
-#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Patch_optimizer.h>
-#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Patch_writer.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
+#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
+#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Patch_improver.h>
+#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Quality_acceptance.h>
 
 #include <CGAL/Mesh_optimization_return_code.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// Betters the badly shaped faces of a mesh, the worst ones first, each within
+// Improves the badly shaped faces of a mesh, the worst ones first, each within
 // the patch of the two rings of faces around it.
 //
 // In an optimized mesh these are where vertices of degree 5 and 7 are close to
 // each other or to the boundary, and where the metric changes much within a
 // face: there the tessellation of least energy has no faces of good shape.
-// Elsewhere nothing is touched. If the field fails, the mesh has been bettered
+// Elsewhere nothing is touched. If the field fails, the mesh has been improved
 // in some places, and in no other changed.
 template <class Mesh>
 class Quality_improver
@@ -38,26 +39,20 @@ class Quality_improver
   typedef typename Mesh::Vertex_handle   Vertex_handle;
   typedef typename Mesh::Face_handle     Face_handle;
 
-  struct Bad_face
-  {
-    double             quality;
-    std::array<int, 3> index; // of its vertices, the least one first
-
-    bool operator<(const Bad_face& b) const
-    {
-      return quality != b.quality ? quality < b.quality : index < b.index;
-    }
-  };
+  typedef std::array<int, 3>               Indices;  // of the vertices of a face, the least one first
+  typedef std::pair<double, Indices>       Bad_face; // with its quality
 
 public:
   Quality_improver(Mesh& mesh, const Time_budget& time)
-    : m_mesh(mesh), m_time(time), m_vertex(mesh.vertex_index_bound()), m_seen(m_vertex.size(), 0), m_changed(m_vertex.size(), 0),
+    : m_mesh(mesh), m_time(time), m_vertex(mesh.vertex_index_bound()), m_changed(m_vertex.size(), 0),
       m_maximum_of_trials(mesh.number_of_faces() / 16 + 512)
   {
     for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
       m_vertex[v->index()] = v;
   }
 
+  // Returns why it ended: no face is badly shaped, none of those that are can be improved, the time
+  // is spent, or there have been as many rounds or trials as are permitted.
   Mesh_optimization_return_code operator()()
   {
     Mesh_optimization_return_code code = MAX_ITERATION_NUMBER_REACHED;
@@ -83,14 +78,15 @@ private:
       return CONVERGENCE_REACHED;
     const std::size_t before = m_improvements;
     for(const Bad_face& b : bad) {
+      const Face_handle f = has_changed(b.second, round) ? face(b.second) : Face_handle();
+      if(f == Face_handle() || quality(f) >= target)
+        continue;
       if(m_trials == m_maximum_of_trials)
         return MAX_ITERATION_NUMBER_REACHED;
       if(m_time.is_spent())
         return TIME_LIMIT_REACHED;
-      if(is_worth_a_trial(b, round)) {
-        ++m_trials;
-        m_improvements += improve_around(face(b), round);
-      }
+      ++m_trials;
+      m_improvements += improve_around(f, round);
     }
     return m_improvements > before ? MAX_ITERATION_NUMBER_REACHED : CANT_IMPROVE_ANYMORE;
   }
@@ -108,48 +104,47 @@ private:
       const double q = quality(f);
       if(q >= target)
         continue;
-      Bad_face b{q, {{f->vertex(0)->index(), f->vertex(1)->index(), f->vertex(2)->index()}}};
-      std::rotate(b.index.begin(), std::min_element(b.index.begin(), b.index.end()), b.index.end());
-      result.push_back(b);
+      Indices v{{f->vertex(0)->index(), f->vertex(1)->index(), f->vertex(2)->index()}};
+      std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
+      result.push_back({q, v});
     }
     std::sort(result.begin(), result.end());
     return result;
   }
 
-  // the face, if it is still there
-  Face_handle face(const Bad_face& b) const
+  // the face of these vertices, if it is still there
+  Face_handle face(const Indices& v) const
   {
     Face_handle f;
-    for(int i : b.index)
-      if(m_vertex[i] == Vertex_handle())
-        return f;
-    const bool is_there = m_mesh.is_face(m_vertex[b.index[0]], m_vertex[b.index[1]], m_vertex[b.index[2]], f);
-    return is_there ? f : Face_handle();
+    const bool are_there = std::all_of(v.begin(), v.end(), [&](int i) { return m_vertex[i] != Vertex_handle(); });
+    return are_there && m_mesh.is_face(m_vertex[v[0]], m_vertex[v[1]], m_vertex[v[2]], f) ? f : Face_handle();
   }
 
-  // A trial that failed is repeated only if something has changed.
-  bool is_worth_a_trial(const Bad_face& b, int round) const
+  // A trial that failed is repeated only if a vertex has been changed since the round before.
+  bool has_changed(const Indices& v, int round) const
   {
-    bool has_changed = round == 1;
-    for(int i : b.index)
-      has_changed = has_changed || m_changed[i] >= round - 1;
-    const Face_handle f = has_changed ? face(b) : Face_handle();
-    return f != Face_handle() && quality(f) < target;
+    return round == 1 || std::any_of(v.begin(), v.end(), [&](int i) { return m_changed[i] >= round - 1; });
   }
 
   bool improve_around(Face_handle f, int round)
   {
-    const std::vector<Face_handle> faces = patch_around(f);
-    const Patch start(m_mesh, faces);
-    Patch_optimizer<Mesh> improve(m_mesh, start, target);
-    if(!improve())
+    const Patch start(m_mesh, patch_around(f));
+    Quality_acceptance<Patch> accept(start, target);
+    Patch_improver<Patch, Quality_acceptance<Patch> > improver(start, accept);
+    const std::unique_ptr<Patch> best = improver(target + 0.01); // leaves other vertices at their mass centres
+    if(best == nullptr)
       return false;
-    for(const auto& v : improve.best().vertices())
-      if(v.is_free && v.handle != Vertex_handle())
-        m_changed[v.handle->index()] = round;
-    Patch_writer<Mesh>(m_mesh, faces)(improve.best(), m_vertex);
+    for(Vertex_handle v : start.mesh_vertices())
+      m_vertex[v->index()] = Vertex_handle();
+    best->write_to(m_mesh);
+    m_vertex.resize(m_mesh.vertex_index_bound());
     m_changed.resize(m_vertex.size(), round);
-    m_seen.resize(m_vertex.size(), 0);
+    for(auto v = best->tds().vertices_begin(); v != best->tds().vertices_end(); ++v) {
+      const Vertex_handle w = best->mesh_vertices()[v->index()];
+      m_vertex[w->index()] = w;
+      if(Patch::is_free(v))
+        m_changed[w->index()] = round;
+    }
     return true;
   }
 
@@ -158,14 +153,16 @@ private:
   {
     std::vector<Face_handle> faces(1, center);
     for(int ring = 0; ring < rings; ++ring) {
-      ++m_stamp;
+      std::vector<Vertex_handle> inner;
       for(Face_handle f : faces)
-        for(int i = 0; i < 3; ++i)
-          m_seen[f->vertex(i)->index()] = m_stamp;
+        inner.insert(inner.end(), {f->vertex(0), f->vertex(1), f->vertex(2)});
+      std::sort(inner.begin(), inner.end());
+      const auto is_inner = [&](Vertex_handle v) { return std::binary_search(inner.begin(), inner.end(), v); };
       for(std::size_t k = 0; k < faces.size(); ++k)
         for(int i = 0; i < 3; ++i) {
           const Face_handle f = faces[k], g = f->neighbor(i);
-          if(!f->is_constrained(i) && are_alike(f, g) && touches_seen_vertex(g)
+          if(!f->is_constrained(i) && are_alike(f, g)
+             && (is_inner(g->vertex(0)) || is_inner(g->vertex(1)) || is_inner(g->vertex(2)))
              && std::find(faces.begin(), faces.end(), g) == faces.end())
             faces.push_back(g);
         }
@@ -177,12 +174,6 @@ private:
   {
     return !m_mesh.is_infinite(g) && f->is_in_domain() == g->is_in_domain()
         && f->subdomain_index() == g->subdomain_index();
-  }
-
-  bool touches_seen_vertex(Face_handle f) const
-  {
-    return m_seen[f->vertex(0)->index()] == m_stamp || m_seen[f->vertex(1)->index()] == m_stamp
-        || m_seen[f->vertex(2)->index()] == m_stamp;
   }
 
   // Gives the indices of removed vertices to the last ones, so that there are no more indices than needed.
@@ -207,9 +198,7 @@ private:
   Mesh&                      m_mesh;
   const Time_budget&         m_time;
   std::vector<Vertex_handle> m_vertex;  // by index
-  std::vector<std::size_t>   m_seen;    // by index: when the vertex was last seen
-  std::vector<int>           m_changed; // by index: the round in which the vertex was last moved
-  std::size_t                m_stamp = 0;
+  std::vector<int>           m_changed; // by index: the round in which the vertex was last free to move
   const std::size_t          m_maximum_of_trials;
   std::size_t                m_trials = 0, m_improvements = 0;
 };
