@@ -243,6 +243,38 @@ void check_mesh(const Mesh& mesh, const Mesh& start, const std::string& name)
   CHECK_MSG(moved > 0, name);
 }
 
+// The slope of the energy along Lloyd's step is what the gradient says. Without the bends of the tensors within a
+// face the error is 1.6e-3, without the bends of the bisectors 4e-2.
+void test_slope(const Case& c, double tolerance)
+{
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).quality_moves(false).number_of_iterations(5));
+  std::vector<Region_moments> moments, ignored;
+  Facewise_energy<Mesh> energy(mesh, Measure::RIEMANNIAN);
+  energy(moments);
+  const auto free = free_vertices(mesh);
+  const Vectors start = positions_of(free);
+  Vectors step(free.size());
+  double expected = 0;
+  for(std::size_t i = 0; i < free.size(); ++i) {
+    const Region_moments& m = moments[free[i]->index()];
+    m.pull(step[i].x, step[i].y);
+    expected -= 2 * (m.gx*step[i].x + m.gy*step[i].y);
+  }
+  const auto energy_at = [&](double t) {
+    for(std::size_t i = 0; i < free.size(); ++i) {
+      const Point p(start[i].x + t*step[i].x, start[i].y + t*step[i].y);
+      free[i]->set_point(p);
+      free[i]->set_metric_tensor(c.field(p));
+    }
+    return energy(ignored);
+  };
+  // no face changes its rule by so small a step
+  const double t = 0.001, slope = (energy_at(t) - energy_at(-t)) / (2*t);
+  CHECK_MSG(std::abs(slope - expected) <= tolerance * std::abs(expected), c.name + ": the slope "
+            + std::to_string(slope) + " instead of " + std::to_string(expected));
+}
+
 // The quasi-Newton method is not worse than Lloyd's iteration after as many steps.
 void test_lloyd(const Case& c, double rise)
 {
@@ -313,7 +345,7 @@ private:
 };
 
 // The quasi-Newton method comes below the energy of Lloyd's 100th iterate in a
-// quarter of the evaluations.
+// sixth of the evaluations; without the Hessian in its preconditioner it takes 20.
 void test_acceleration(const Case& c)
 {
   const Mesh start = CGAL::make_anisotropic_mesh_2
@@ -326,7 +358,7 @@ void test_acceleration(const Case& c)
   CHECK(newton.front().energy == lloyd.front().energy);
   const auto below = std::find_if(newton.begin(), newton.end(),
                                   [&](const auto& s) { return s.energy < lloyd.back().energy; });
-  CHECK_MSG(below != newton.end() && below->evaluations <= 25, c.name + ": "
+  CHECK_MSG(below != newton.end() && below->evaluations <= 16, c.name + ": "
             + std::to_string(below == newton.end() ? 0 : below->evaluations) + " evaluations");
 }
 
@@ -356,6 +388,31 @@ void test_evaluations_of_rough_metrics(const Case& c)
   CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).number_of_iterations(50).visitor(Recording_visitor(states)));
   CHECK_MSG(double(states.back().evaluations) <= 1.1 * double(states.back().iteration) + 1, c.name + ": "
             + std::to_string(states.back().evaluations) + " evaluations for " + std::to_string(states.back().iteration));
+}
+
+// Where the energy cannot fall any more, the method ends by itself, and without many trials.
+void test_end_of_descent(const Case& c)
+{
+  Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  const auto result = CGAL::optimize_anisotropic_mesh_2
+    (mesh, np::convergence(0.).energy_reduction(0.).quality_moves(false).number_of_iterations(200));
+  CHECK(result.return_code == CGAL::CANT_IMPROVE_ANYMORE);
+  CHECK_MSG(result.iterations < 100 && result.evaluations <= result.iterations + 3, c.name + ": "
+            + std::to_string(result.evaluations) + " evaluations for " + std::to_string(result.iterations));
+}
+
+// An energy reduction that no ten iterations can reach ends both methods after them.
+void test_energy_reduction(const Case& c)
+{
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  for(const auto method : {CGAL::Anisotropic_mesh_2::Optimization_method::QUASI_NEWTON,
+                           CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD}) {
+    Mesh mesh = start;
+    const auto result = CGAL::optimize_anisotropic_mesh_2
+      (mesh, np::convergence(0.).energy_reduction(0.9).method(method).number_of_iterations(60));
+    CHECK(result.return_code == CGAL::CANT_IMPROVE_ANYMORE);
+    CHECK_MSG(result.iterations >= 10 && result.iterations <= 12, std::to_string(result.iterations) + " iterations");
+  }
 }
 
 class Stopping_visitor
@@ -441,6 +498,11 @@ int main()
     test_ways_to_move(c);
   test_evaluations_of_rough_metrics(cases[3]);
   test_evaluations_of_rough_metrics(unit_square_cases()[2]);
+  test_end_of_descent(cases[1]);
+  test_end_of_descent(unit_square_cases()[1]);
+  test_energy_reduction(cases[4]);
+  test_slope(cases[0], 1e-6);
+  test_slope(unit_square_cases()[0], 5e-4);
   test_return_codes();
   test_failing_field();
   test_determinism();
