@@ -252,21 +252,23 @@ void test_slope(const Case& c, double tolerance)
   std::vector<Region_moments> moments, ignored;
   Facewise_energy<Mesh> energy(mesh, Measure::RIEMANNIAN);
   energy(moments);
-  const auto free = free_vertices(mesh);
-  const Vectors start = positions_of(free);
-  Vectors step(free.size());
+  const Free_vertices<Mesh> free(mesh);
+  const std::vector<double> start = free.positions();
+  std::vector<double> step;
   double expected = 0;
   for(std::size_t i = 0; i < free.size(); ++i) {
     const Region_moments& m = moments[free[i]->index()];
-    m.pull(step[i].x, step[i].y);
-    expected -= 2 * (m.gx*step[i].x + m.gy*step[i].y);
+    const Vector_of_doubles d = m.lloyd_move();
+    step.insert(step.end(), {d.x, d.y});
+    expected -= 2 * (m.gx*d.x + m.gy*d.y);
   }
   const auto energy_at = [&](double t) {
-    for(std::size_t i = 0; i < free.size(); ++i) {
-      const Point p(start[i].x + t*step[i].x, start[i].y + t*step[i].y);
-      free[i]->set_point(p);
-      free[i]->set_metric_tensor(c.field(p));
-    }
+    std::vector<double> x = start;
+    for(std::size_t i = 0; i < x.size(); ++i)
+      x[i] += t * step[i];
+    free.set_positions<CGAL::Sequential_tag>(x);
+    for(std::size_t i = 0; i < free.size(); ++i)
+      free[i]->set_metric_tensor(c.field(free[i]->point()));
     return energy(ignored);
   };
   // no face changes its rule by so small a step
