@@ -76,7 +76,8 @@ inline Parameter_rectangle centred_square(double side)
 // refined at a pole
 inline Surface_with_metric ellipsoid(double scale)
 {
-  return {Any_surface(CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<Kernel>(2, 1.2, 0.8)), isotropic(scale, [](const Point_3& p) {
+  const CGAL::Anisotropic_mesh_2::Parametric_ellipsoid_3<Kernel> ellipsoid(2, 1.2, 0.8);
+  return {Any_surface(ellipsoid), isotropic(scale, [](const Point_3& p) {
     return 0.03 + 0.1 * std::hypot(p.x(), p.y(), p.z() - 0.8);
   })};
 }
@@ -91,7 +92,8 @@ inline Surface_with_metric paraboloid(double scale)
 // refined along the outer circle
 inline Surface_with_metric torus(double scale)
 {
-  return {Any_surface(CGAL::Anisotropic_mesh_2::Parametric_torus_3<Kernel>(2, 0.7)), isotropic(scale, [](const Point_3& p) {
+  const CGAL::Anisotropic_mesh_2::Parametric_torus_3<Kernel> torus(2, 0.7);
+  return {Any_surface(torus), isotropic(scale, [](const Point_3& p) {
     return 0.08 + 0.2 * std::hypot(std::hypot(p.x(), p.y()) - 2.7, p.z());
   })};
 }
@@ -107,7 +109,8 @@ inline Surface_with_metric saddle_sizes(double scale)
 inline Surface_with_metric saddle_curvature(double scale)
 {
   typedef CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<Kernel> Saddle;
-  const CGAL::Anisotropic_mesh_2::Curvature_metric_3<Any_surface> metric(std::min(0.99, 0.001 * scale*scale), 0.005 * scale, scale);
+  const double bound = (std::min)(0.99, 0.001 * scale*scale);
+  const CGAL::Anisotropic_mesh_2::Curvature_metric_3<Any_surface> metric(bound, 0.005 * scale, scale);
   return {Any_surface(Saddle(2, -4, centred_square(2))), metric};
 }
 

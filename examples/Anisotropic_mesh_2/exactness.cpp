@@ -166,7 +166,7 @@ void experiment(const char* metric, const Field& field, const char* set, const P
   Triangulation<Counting_traits> counting{Counting_traits(field, counts)};
   counting.insert(points.begin(), points.end());
 
-  const double percent = 100. / double(std::max(1L, counts.calls));
+  const double percent = 100. / double((std::max)(1L, counts.calls));
   std::printf("| %-18s | %-14s | %6ld | %6.3f %% | %5ld | %6.2f %% | %6.2f %%  | %8.2f | %5.1f |\n", metric, set,
               counts.calls, percent * double(counts.wrong), number_of_different_edges(filtered, plain),
               percent * double(counts.not_by_doubles), percent * double(counts.not_by_intervals),

@@ -59,7 +59,7 @@ public:
   typedef K                                                        Kernel;      ///< the kernel
   typedef typename K::FT                                           FT;          ///< its number type
   typedef typename K::Point_2                                      Point_2;     ///< its points
-  typedef Anisotropic_mesh_2::Curve_piece_2<K>                                         Curve_piece; ///< a piece of a curve
+  typedef Anisotropic_mesh_2::Curve_piece_2<K>  Curve_piece; ///< a piece of a curve
   typedef Anisotropic_mesh_2::Domain_rule                          Domain_rule; ///< what decides what is inside
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<K>      Graph;       ///< what files hold
   typedef typename Graph::Region                                   Region;      ///< a seed and its reference
@@ -237,8 +237,8 @@ private:
   static void check_finite(const Point_2& seed, const char* what)
   {
     if(!(CGAL::is_finite(seed.x()) && CGAL::is_finite(seed.y())))
-      throw Anisotropic_mesh_2::Invalid_domain_exception("the seed " + Anisotropic_mesh_2::internal::describe(seed) + " of a "
-                                     + what + " is not finite");
+      throw Anisotropic_mesh_2::Invalid_domain_exception("the seed " + Anisotropic_mesh_2::internal::describe(seed)
+                                                         + " of a " + what + " is not finite");
   }
 
   Pieces               m_pieces;

@@ -103,8 +103,8 @@ private:
   [[noreturn]] static void refuse(double xx, double xy, double yy)
   {
     using Anisotropic_mesh_2::internal::describe;
-    throw Anisotropic_mesh_2::Invalid_metric_tensor_exception("the Hessian with the entries " + describe(xx) + ", " + describe(xy)
-                                          + ", " + describe(yy) + " is not finite");
+    throw Anisotropic_mesh_2::Invalid_metric_tensor_exception("the Hessian with the entries " + describe(xx) + ", "
+                                                              + describe(xy) + ", " + describe(yy) + " is not finite");
   }
 
   Hessian m_hessian;

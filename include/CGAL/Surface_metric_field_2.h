@@ -110,7 +110,8 @@ private:
 
   [[noreturn]] static void refuse(const std::string& what, const Point_2& uv)
   {
-    throw Anisotropic_mesh_2::Degenerate_parametrization_exception(what, CGAL::to_double(uv.x()), CGAL::to_double(uv.y()));
+    throw Anisotropic_mesh_2::Degenerate_parametrization_exception(what, CGAL::to_double(uv.x()),
+                                                                   CGAL::to_double(uv.y()));
   }
 
   Surface m_surface;

@@ -56,9 +56,9 @@ struct Quality_improvement
 /// `optimize_anisotropic_mesh_2()` calls this function at the end unless it is told not to; alone it is of use for
 /// meshes that are optimized already.
 ///
-/// Fixed vertices stay where they are. Handles to vertices that are not removed stay valid; vertices that
-/// are not on constrained edges may get the indices of removed ones. The time is proportional to the number of bad faces,
-/// apart from some passes over all faces.
+/// Fixed vertices stay where they are. Handles to vertices that are not removed stay valid; vertices that are not
+/// required may get the indices of removed ones. The time is proportional to the number of bad faces, apart from some
+/// passes over all faces.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters
@@ -73,17 +73,16 @@ struct Quality_improvement
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
 ///     \cgalParamDescription{the vertices that stay, besides those that are fixed anyway}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type `bool`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type
+///                    `bool`}
 ///     \cgalParamDefault{`false` for every vertex}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return why it stopped: `CONVERGENCE_REACHED` if no face of low quality is left,
 /// `CANT_IMPROVE_ANYMORE` if trials change nothing any more, `MAX_ITERATION_NUMBER_REACHED` after three rounds or if
-/// the
-/// number of trials has reached 512 and a 16th of the number of faces, or `TIME_LIMIT_REACHED`; and the numbers of
-/// trials
-/// and improvements. The mesh is valid in each case.
+/// the number of trials has reached 512 and a 16th of the number of faces, or `TIME_LIMIT_REACHED`; and the numbers of
+/// trials and improvements. The mesh is valid in each case.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain; the mesh is
 /// valid then, and improved in some places.
 template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>

@@ -250,7 +250,8 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
 ///     \cgalParamDescription{the vertices that stay, besides those that are fixed anyway}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type `bool`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type
+///                    `bool`}
 ///     \cgalParamDefault{`false` for every vertex}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}

@@ -199,7 +199,7 @@ void test_flat_metrics_small()
 {
   Totals totals;
   for(Input input : all_inputs()) {
-    input.points.resize(std::min<std::size_t>(input.points.size(), 120));
+    input.points.resize((std::min<std::size_t>)(input.points.size(), 120));
     input.segments = random_segments(input.points, 15);
     compare<K>(input, sheared, {ONE_BY_ONE, RANGE, CONSTRAINTS_FIRST}, totals);
     compare<K>(input, isotropic, {ONE_BY_ONE, RANGE, CONSTRAINTS_FIRST}, totals);

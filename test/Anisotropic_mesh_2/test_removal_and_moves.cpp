@@ -193,7 +193,7 @@ void test_varying_metrics(int steps, int largest)
       return typename K::Point_2(x, random.real(0, 1));
     };
     for(int i = 0; i < steps; ++i) {
-      const int what = random.integer(3), which = random.integer(std::max(1, int(vertices.size())));
+      const int what = random.integer(3), which = random.integer((std::max)(1, int(vertices.size())));
       if(vertices.empty() || (what == 0 && int(vertices.size()) < largest))
         vertices.push_back(t.insert(random_point()));
       else if(what == 1) {
@@ -452,7 +452,7 @@ void test_marks_of_meshes()
   std::vector<Mesh::Vertex_handle> vertices;
   for(int i = 0; i < 400; ++i) {
     const Point p(random.real(0.1, 7.9), random.real(0.1, 7.9));
-    const int what = random.integer(3), which = random.integer(std::max(1, int(vertices.size())));
+    const int what = random.integer(3), which = random.integer((std::max)(1, int(vertices.size())));
     if(what == 0 || vertices.size() < 10)
       vertices.push_back(mesh.insert(p));
     else if(what == 1) {

@@ -326,7 +326,7 @@ void test_parabola()
   CHECK(std::abs(diagram.region(right).area - (4 - 2*y + y*y*y)) < 4e-4);
   std::size_t n = 0;
   for(const auto& b : diagram.bisectors())
-    if(std::min(b.regions[0], b.regions[1]) == (std::min)(left, right)
+    if((std::min)(b.regions[0], b.regions[1]) == (std::min)(left, right)
        && (std::max)(b.regions[0], b.regions[1]) == (std::max)(left, right)) {
       CHECK(b.is_between_main_pieces && !b.is_closed);
       n += b.points.size();
@@ -364,7 +364,7 @@ void test_circle_of_apollonius()
 Pair pair_of(const Diagram& diagram, const Point& p, const Point& q)
 {
   const std::size_t i = index_of(diagram, p), j = index_of(diagram, q);
-  return Pair(std::min(i, j), (std::max)(i, j));
+  return Pair((std::min)(i, j), (std::max)(i, j));
 }
 
 // The regions of the left and the right corners do not meet: the centre's lies between them.

@@ -36,7 +36,8 @@ public:
   }
 
   // Adds to the sums of the corners, and to the couplings unless that is null; returns the energy.
-  double operator()(const Acvt_element& e, const std::array<Region_contribution*, 3>& sums, Face_couplings* couplings) const
+  double operator()(const Acvt_element& e, const std::array<Region_contribution*, 3>& sums,
+                    Face_couplings* couplings) const
   {
     const Vector_of_doubles centre = e.at(m_centre[0], m_centre[1], m_centre[2]);
     std::array<Symmetric_form, 3> at_radius;

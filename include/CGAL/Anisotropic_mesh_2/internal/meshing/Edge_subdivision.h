@@ -67,7 +67,7 @@ private:
   template <class Metric_tensor>
   static double length_of(const Metric_tensor& m, double dx, double dy)
   {
-    return std::sqrt(std::max(0., CGAL::to_double(m.squared_length(FT(dx), FT(dy)))));
+    return std::sqrt((std::max)(0., CGAL::to_double(m.squared_length(FT(dx), FT(dy)))));
   }
 
   // Bisects until both halves agree with the whole to a hundredth, of the part

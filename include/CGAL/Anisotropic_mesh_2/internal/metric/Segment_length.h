@@ -52,7 +52,7 @@ private:
     typedef Coordinate<Point_2> FT;
     const Point_2 x(m_p.x() + FT(t) * (m_q.x() - m_p.x()), m_p.y() + FT(t) * (m_q.y() - m_p.y()));
     const auto m = m_tensor(x);
-    return std::sqrt(std::max(0., CGAL::to_double(m.squared_length(FT(m_dx), FT(m_dy)))));
+    return std::sqrt((std::max)(0., CGAL::to_double(m.squared_length(FT(m_dx), FT(m_dy)))));
   }
 
   const Point_2& m_p;

@@ -223,7 +223,7 @@ estimate_side_of_metric_circle(const Point_2& a, const Point_2& b, const Point_2
 {
   Lifted_determinant d(a, b, c, p);
   const double rx = d.reach_x(), ry = d.reach_y(), error = 256*rounding_unit * (rx*ry);
-  if(std::min(rx, ry) > 1e-70) {
+  if((std::min)(rx, ry) > 1e-70) {
     const double sign = std::copysign(1., d(mp));
     d.x = sign * d.x - error * (rx*rx);
     d.s = sign * d.s;

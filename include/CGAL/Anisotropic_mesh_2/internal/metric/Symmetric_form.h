@@ -34,7 +34,7 @@ struct Symmetric_form
   double operator()(double x, double y, double u, double v) const { return (a*x + b*y)*u + (b*x + c*y)*v; }
 
   // the length of (x, y), which rounding cannot make the root of a negative number
-  double length(double x, double y) const { return std::sqrt(std::max(0., (*this)(x, y))); }
+  double length(double x, double y) const { return std::sqrt((std::max)(0., (*this)(x, y))); }
 
   double determinant() const { return difference_of_products(a, c, b, b); }
 

@@ -46,7 +46,8 @@ class Acvt_optimizer
 
 public:
   Acvt_optimizer(Energy& energy, Mover& mover, const Stopping_criteria& criteria, Visitor& visitor)
-    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor), m_free(mover.free_vertices().indices()), m_precondition(m_free)
+    : m_evaluate(energy), m_mover(mover), m_criteria(criteria), m_visitor(visitor),
+      m_free(mover.free_vertices().indices()), m_precondition(m_free)
   {
     m_timer.start();
   }

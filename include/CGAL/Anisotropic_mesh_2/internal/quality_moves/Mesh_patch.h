@@ -204,7 +204,8 @@ public:
   void flip(const Edge& e)
   {
     const Face_handle f = e.first, g = f->neighbor(e.second);
-    m_operations.push_back({FLIP, {{f->vertex(Tds::ccw(e.second))->index(), f->vertex(Tds::cw(e.second))->index()}}, {}, {}});
+    const int u = f->vertex(Tds::ccw(e.second))->index(), v = f->vertex(Tds::cw(e.second))->index();
+    m_operations.push_back({FLIP, {{u, v}}, {}, {}});
     m_tds.flip(f, e.second);
     update_shape(f);
     update_shape(g);

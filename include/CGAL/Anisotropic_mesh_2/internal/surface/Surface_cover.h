@@ -42,7 +42,7 @@ public:
       for(std::size_t f = 0; f < mesh.number_of_faces(); ++f) {
         const Face& w = mesh.faces()[f];
         if(part.has_face(f))
-          prefer(std::min({depths[w[0]], depths[w[1]], depths[w[2]]}), k, face_depth[f], m_part_of_face[f]);
+          prefer((std::min)({depths[w[0]], depths[w[1]], depths[w[2]]}), k, face_depth[f], m_part_of_face[f]);
       }
     }
   }

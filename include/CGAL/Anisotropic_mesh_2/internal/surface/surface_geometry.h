@@ -27,7 +27,7 @@ double surface_quality(const std::array<Point_3, 3>& t, const Tensor_3& m)
   const auto u = t[1] - t[0], v = t[2] - t[0];
   const Symmetric_form gram(CGAL::to_double(m.squared_length(u)), CGAL::to_double(m.scalar_product(u, v)),
                             CGAL::to_double(m.squared_length(v)));
-  return quality_from_gram(gram, std::sqrt(std::max(0., gram.determinant())));
+  return quality_from_gram(gram, std::sqrt((std::max)(0., gram.determinant())));
 }
 
 // The length in space of the straight line between two points, by Simpson's rule.

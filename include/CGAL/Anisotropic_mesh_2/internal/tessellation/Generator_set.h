@@ -150,7 +150,7 @@ private:
     for(double x : {x0, x1})
       least = (std::min)(least, m(x, (std::min)(y1, (std::max)(y0, -m.b*x / m.c))));
     for(double y : {y0, y1})
-      least = (std::min)(least, m(std::min(x1, (std::max)(x0, -m.b*y / m.a)), y));
+      least = (std::min)(least, m((std::min)(x1, (std::max)(x0, -m.b*y / m.a)), y));
     // rounding must not hide a generator, whose terms may cancel
     return least * (1 - 1e-9) - 1e-14 * (m.a * (std::max)(x0*x0, x1*x1) + m.c * (std::max)(y0*y0, y1*y1));
   }

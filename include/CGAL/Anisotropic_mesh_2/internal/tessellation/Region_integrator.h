@@ -63,7 +63,7 @@ public:
       error += (p.error = length(p, scale));
     std::make_heap(heap.begin(), heap.end());
     const std::size_t limit = maximum_growth * triangles.size();
-    const double goal = m_tolerance * std::sqrt(std::max(0., scale.energy / scale.mass));
+    const double goal = m_tolerance * std::sqrt((std::max)(0., scale.energy / scale.mass));
     while(error > goal && heap.size() < limit)
       quarter_worst(heap, generator, scale, error);
     return total(heap);
