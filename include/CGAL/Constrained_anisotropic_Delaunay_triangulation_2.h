@@ -48,8 +48,8 @@ namespace CGAL {
 /// Members of the base class that are not listed here, such as `locate()`, ranges and circulators, are unchanged,
 /// except for those that would leave vertices without tensor and index or edges without their marks:
 /// `insert_in_face()`, `insert_in_edge()`, `insert_outside_convex_hull()`, `insert_outside_affine_hull()`,
-/// `insert_first()`, `insert_second()`, `remove_first()`, `remove_second()`, `remove_degree_3()`, `remove_and_give_new_faces()`,
-/// `remove_constraint()`, `star_hole()`, `make_hole()`, `create_face()`, `delete_face()`, `delete_vertex()`,
+/// `insert_first()`, `insert_second()`, `remove_first()`, `remove_second()`, `remove_degree_3()`,
+/// `remove_and_give_new_faces()`, `remove_constraint()`, `star_hole()`, `make_hole()`, `create_face()`, `delete_face()`, `delete_vertex()`,
 /// `collapse_edge()`, `file_input()` and the operator `>>` cannot be called.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
