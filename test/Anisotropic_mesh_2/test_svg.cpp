@@ -12,6 +12,7 @@
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
 #include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
+#include <CGAL/Anisotropic_mesh_2/internal/IO/svg/Svg_lines.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
@@ -342,6 +343,24 @@ void test_size()
   CHECK_MSG(many.size() < 300000, std::to_string(many.size()));
 }
 
+// A line of many short steps loses points, but never goes further astray than coordinates are rounded.
+void test_simplified_lines()
+{
+  using CGAL::Anisotropic_mesh_2::internal::Svg_line;
+  const double radius = 1e6, half_turn = std::acos(-1.);
+  Svg_line arc;
+  for(int i = 0; i <= 30000; ++i)
+    arc.push_back({int(std::lround(radius * std::cos(half_turn * i / 30000))),
+                   int(std::lround(radius * std::sin(half_turn * i / 30000)))});
+  const Svg_line line = CGAL::Anisotropic_mesh_2::internal::simplified(arc);
+  CHECK(line.front() == arc.front() && line.back() == arc.back());
+  CHECK_MSG(line.size() < arc.size() / 2, std::to_string(line.size()) + " points");
+  double least = radius; // distance of the middle of a step from the centre
+  for(std::size_t i = 1; i < line.size(); ++i)
+    least = (std::min)(least, std::hypot((line[i-1][0] + line[i][0]) / 2., (line[i-1][1] + line[i][1]) / 2.));
+  CHECK_MSG(least > radius - 2, std::to_string(least));
+}
+
 void test_files(const Scratch_directory& scratch)
 {
   CGAL::IO::write_SVG(scratch / "mesh.svg", marked_rectangle(), "in a file");
@@ -366,6 +385,7 @@ int main()
   test_tessellation();
   test_what_is_drawn();
   test_size();
+  test_simplified_lines();
   test_files(scratch);
   return finish();
 }

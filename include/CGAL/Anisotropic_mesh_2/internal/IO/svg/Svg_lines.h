@@ -31,14 +31,18 @@ inline bool is_between(const Svg_point& p, const Svg_point& a, const Svg_point& 
   return uv > 0 && uv < uu && area*area <= tolerance*tolerance * uu;
 }
 
-// Leaves out the points that lie on the line between their neighbors.
+// Leaves out points that lie on the line between those that are kept before and after them.
 inline Svg_line simplified(const Svg_line& line)
 {
   Svg_line result;
+  std::size_t kept = 0;
   for(std::size_t i = 0; i < line.size(); ++i) {
-    const bool is_inner = i > 0 && i + 1 < line.size();
-    if(!is_inner || !is_between(line[i], result.back(), line[i + 1], 0.5))
-      result.push_back(line[i]);
+    const auto lies_on_line = [&](const Svg_point& p) { return is_between(p, line[kept], line[i + 1], 0.5); };
+    if(i > 0 && i + 1 < line.size()
+       && std::all_of(line.begin() + kept + 1, line.begin() + i + 1, lies_on_line))
+      continue;
+    result.push_back(line[i]);
+    kept = i;
   }
   return result;
 }
