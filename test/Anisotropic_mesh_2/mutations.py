@@ -36,9 +36,8 @@ def read_mutations():
         if not head:
             continue
         layer, name, header, tests = (field.strip() for field in head.split("|"))
-        before, after = "\n".join(body).split("\n=>\n") if "\n=>\n" in "\n".join(body) else (
-            "\n".join(body).removesuffix("\n=>"), "")
-        yield Mutation(layer, name, header.replace("INTERNAL/", INTERNAL), before, after, tuple(tests.split()))
+        before, _, after = ("\n".join(body) + "\n").partition("\n=>\n")
+        yield Mutation(layer, name, header.replace("INTERNAL/", INTERNAL), before, after.removesuffix("\n"), tuple(tests.split()))
 
 
 def complaint(mutation, sources):
