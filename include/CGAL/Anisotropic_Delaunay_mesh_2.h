@@ -151,7 +151,7 @@ public:
       if(v->is_required())
         copy(v);
     Edge_set toggling;
-    for(const Edge& e : this->constrained_edges())
+    for(const Edge& e : constrained_edges())
       result.insert_segment(copy(e.first->vertex(ccw(e.second))), copy(e.first->vertex(cw(e.second))),
                             edge_reference(e), is_on_boundary(e), toggling);
     result.set_vertex_index_bound(this->vertex_index_bound());
@@ -196,9 +196,19 @@ public:
     return faces;
   }
 
-  /// the edges of the domain, each seen from the face from which its vertices
-  /// are in the order of their indices, in an order that is the same in every run.
-  /// Those of all constraints are `constrained_edges()`, a member of the base class.
+  /// the constrained edges, each seen from the face from which its vertices are in the
+  /// order of their indices, in an order that is the same in every run.
+  std::vector<Edge> constrained_edges() const
+  {
+    std::vector<Edge> edges;
+    for(Face_handle f : this->all_face_handles())
+      for(int i = 0; i < 3; ++i)
+        if(f->is_constrained(i) && f->vertex(ccw(i))->index() < f->vertex(cw(i))->index())
+          edges.push_back(Edge(f, i));
+    return edges;
+  }
+
+  /// the edges of the domain, each seen as those of `constrained_edges()`, in an order that is the same in every run.
   std::vector<Edge> edges_in_domain() const
   {
     std::vector<Edge> edges;

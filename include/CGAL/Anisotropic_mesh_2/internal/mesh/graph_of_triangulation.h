@@ -25,13 +25,15 @@ Boundary_graph_2<K> graph_of_triangulation(const Ct& ct)
     index[v] = graph.points.size();
     graph.points.push_back(v->point());
   }
-  for(auto e = ct.finite_edges_begin(); e != ct.finite_edges_end(); ++e) {
-    if(!ct.is_constrained(*e))
-      continue;
-    const auto f = e->first, g = f->neighbor(e->second);
-    graph.segments.push_back({index[f->vertex(Ct::ccw(e->second))], index[f->vertex(Ct::cw(e->second))], 1,
-                              f->is_in_domain() != g->is_in_domain()});
-  }
+  // edges in an order that does not depend on the addresses of faces
+  for(auto f = ct.all_faces_begin(); f != ct.all_faces_end(); ++f)
+    for(int i = 0; i < 3; ++i) {
+      if(!f->is_constrained(i))
+        continue;
+      const std::size_t u = index[f->vertex(Ct::ccw(i))], v = index[f->vertex(Ct::cw(i))];
+      if(u < v)
+        graph.segments.push_back({u, v, 1, f->is_in_domain() != f->neighbor(i)->is_in_domain()});
+    }
   return graph;
 }
 
