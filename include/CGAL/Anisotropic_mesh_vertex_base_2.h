@@ -70,7 +70,8 @@ public:
   /// \cgalAdvancedEnd
   void set_metric_tensor(const Metric_tensor_2& m) { m_tensor = m; }
 
-  /// the rank of the vertex in the order of insertion.
+  /// the number of the vertex: its rank in the order of insertion, unless quality moves have given it that of a
+  /// removed one.
   int index() const { return m_index; }
 
   /// \cgalAdvancedBegin

@@ -49,8 +49,8 @@ namespace CGAL {
 /// except for those that would leave vertices without tensor and index or edges without their marks:
 /// `insert_in_face()`, `insert_in_edge()`, `insert_outside_convex_hull()`, `insert_outside_affine_hull()`,
 /// `insert_first()`, `insert_second()`, `remove_first()`, `remove_second()`, `remove_degree_3()`,
-/// `remove_and_give_new_faces()`, `remove_constraint()`, `star_hole()`, `make_hole()`, `create_face()`, `delete_face()`, `delete_vertex()`,
-/// `collapse_edge()`, `file_input()` and the operator `>>` cannot be called.
+/// `remove_and_give_new_faces()`, `remove_constraint()`, `star_hole()`, `make_hole()`, `create_face()`,
+/// `delete_face()`, `delete_vertex()`, `collapse_edge()`, `file_input()` and the operator `>>` cannot be called.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Tds_ a model of `TriangulationDataStructure_2` whose vertices model
@@ -274,8 +274,7 @@ public:
   /// inserts the points of a range in the order of `spatial_sort()` and returns
   /// the number of vertices added. Takes \f$ O(n \log n) \f$ time on average.
   /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at a point; the
-  /// points before it
-  /// are inserted.
+  /// points before it are inserted.
   /// \tparam PointIterator an input iterator with value type `Point`.
   template <class PointIterator>
   std::ptrdiff_t insert(PointIterator first, PointIterator last)

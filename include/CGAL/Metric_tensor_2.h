@@ -109,8 +109,7 @@ public:
 
   /// the tensor whose matrix logarithm has the entries `l`, in the order of `logarithm()`.
   /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if an entry is not finite, or if the determinant
-  /// leaves the range of
-  /// numbers.
+  /// leaves the range of numbers.
   static Metric_tensor_2 from_logarithm(const std::array<double, 3>& l)
   {
     const double mean = (l[0] + l[2]) / 2, radius = std::hypot((l[0] - l[2]) / 2, l[1]);

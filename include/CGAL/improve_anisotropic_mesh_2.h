@@ -72,7 +72,8 @@ struct Quality_improvement
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{the vertices that stay, besides those that are fixed anyway}
+///     \cgalParamDescription{the vertices that stay during this call, besides those that are fixed anyway; it is read
+///       once, at the start. `set_required()` of a vertex fixes it for good.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type
 ///                    `bool`}
 ///     \cgalParamDefault{`false` for every vertex}
@@ -81,7 +82,7 @@ struct Quality_improvement
 ///
 /// \return why it stopped: `CONVERGENCE_REACHED` if no face of low quality is left,
 /// `CANT_IMPROVE_ANYMORE` if trials change nothing any more, `MAX_ITERATION_NUMBER_REACHED` after three rounds or if
-/// the number of trials has reached 512 and a 16th of the number of faces, or `TIME_LIMIT_REACHED`; and the numbers of
+/// the number of trials has reached 512 plus a 16th of the number of faces, or `TIME_LIMIT_REACHED`; and the numbers of
 /// trials and improvements. The mesh is valid in each case.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain; the mesh is
 /// valid then, and improved in some places.

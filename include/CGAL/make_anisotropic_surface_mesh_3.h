@@ -98,8 +98,7 @@ make_anisotropic_surface_mesh_3(const Anisotropic_mesh_domain_2<K>& domain, cons
 /// \throw Anisotropic_mesh_2::Too_many_vertices_exception if the metric asks for more vertices than allowed.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface.
 /// \throw Anisotropic_mesh_2::Invalid_domain_exception if the rectangle of parameters is not valid, or if the sizes
-/// are so large that
-/// somewhere fewer than three edges would lead around a closed surface.
+/// are so large that somewhere fewer than three edges would lead around a closed surface.
 template <class ConcurrencyTag = Sequential_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_surface_mesh_3<Field>
 make_anisotropic_surface_mesh_3(const Field& field, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

@@ -80,9 +80,9 @@ struct Optimization_result
   /// writes all that on one line, without its end.
   friend std::ostream& operator<<(std::ostream& os, const Optimization_result& r)
   {
-    return os << r.reason() << " after " << r.iterations << " iterations and " << r.evaluations
-              << " evaluations, energy " << r.energy << ", largest move " << r.largest_move
-              << "; quality: " << r.quality;
+    os << r.reason() << " after " << r.iterations << " iterations and " << r.evaluations << " evaluations, energy "
+       << r.energy << ", largest move " << r.largest_move;
+    return r.quality.trials == 0 ? os : os << "; quality: " << r.quality;
   }
 };
 
@@ -169,7 +169,7 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// minimizes the energy of the anisotropic Voronoi tessellation of the vertices
-/// of a mesh, by a quasi-Newton method or by Lloyd's iteration, and then calls `improve_anisotropic_mesh_2()`.
+/// of a mesh, by a quasi-Newton method or by Lloyd's iteration.
 ///
 /// The gradient of the energy and the mass centres come from the same
 /// integrals, since the directional distance to a generator does not depend on
@@ -182,14 +182,14 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 /// with the default `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's
 /// iteration as an open problem.
 ///
-/// Faces of low quality are improved at the end by `improve_anisotropic_mesh_2()`, which also inserts and removes
-/// vertices, unless `quality_moves` says otherwise.
+/// With the quasi-Newton method and the Riemannian measure, faces of low quality are improved at the end by
+/// `improve_anisotropic_mesh_2()`, which also inserts and removes vertices; `quality_moves` changes that.
 ///
-/// Vertices on constrained edges stay where they are.
+/// Fixed vertices stay where they are: those on constrained edges, required ones, and those of
+/// `vertex_is_constrained_map`.
 ///
 /// The field is evaluated about 40 times per vertex if the metric is mild. Where it changes much within an edge,
-/// faces are
-/// quartered and steps are tried without success: up to 9800 times have been counted.
+/// faces are quartered and steps are tried without success: up to 9800 times have been counted.
 ///
 /// \tparam ConcurrencyTag enables sequential or parallel work: `Sequential_tag`, `Parallel_tag` or
 /// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field from several threads at
@@ -241,15 +241,16 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{quality_moves}
 ///     \cgalParamDescription{whether `improve_anisotropic_mesh_2()` is called at the end, unless the time
-///       limit or the visitor has stopped the optimization, or `number_of_iterations` is 0. If not, the vertices and
-///       their indices stay.}
+///       limit or the visitor has stopped the optimization, or `number_of_iterations` is 0. Without it no vertex is
+///       inserted, removed or renumbered.}
 ///     \cgalParamType{`bool`}
-///     \cgalParamDefault{whether `measure` is `RIEMANNIAN` and `method` is `QUASI_NEWTON`: with the measure of Lebesgue
-///       the optimum is no unit mesh and has faces of less quality, and these moves would raise its energy by some
-/// percent}
+///     \cgalParamDefault{whether `measure` is `RIEMANNIAN` and `method` is `QUASI_NEWTON`: with the measure of
+///       Lebesgue the optimum is no unit mesh and has faces of less quality, and these moves would raise its energy
+///       by some percent}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{vertex_is_constrained_map}
-///     \cgalParamDescription{the vertices that stay, besides those that are fixed anyway}
+///     \cgalParamDescription{the vertices that stay during this call, besides those that are fixed anyway; it is read
+///       once, at the start. `set_required()` of a vertex fixes it for good.}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the key type `Mesh::Vertex_handle` and the value type
 ///                    `bool`}
 ///     \cgalParamDefault{`false` for every vertex}

@@ -91,18 +91,15 @@ void optimize_charts(Anisotropic_surface_mesh_3<Field>& surface_mesh, const Surf
 /// \tparam NamedParameters a sequence of named parameters
 /// \param surface_mesh the mesh. Vertices may be inserted, removed and renumbered.
 /// \param np an optional sequence of named parameters, those of `optimize_anisotropic_mesh_2()`.
-/// `maximum_running_time` is
-/// that of the whole; `number_of_iterations` and the other criteria hold for each chart in each round. The
-/// visitor is copied for each, and is shown the state of a chart.
+/// `maximum_running_time` is that of the whole; `number_of_iterations` and the other criteria hold for each chart in
+/// each round. The visitor is copied for each, and is shown the state of a chart.
 ///
-/// \return what `optimize_anisotropic_mesh_2()` returns, over all charts: the numbers of iterations and evaluations are
-/// those of all rounds, the rest is of the last one. The energy is the sum over the charts, which overlap. The return
-/// code
-/// is `MAX_ITERATION_NUMBER_REACHED` if that is so of any chart. The mesh is valid in each case, and as it
-/// was if `number_of_iterations` is 0.
+/// \return what `optimize_anisotropic_mesh_2()` returns, over all charts: the numbers of iterations and evaluations
+/// are those of all rounds, the rest is of the last one. The energy is the sum over the charts, which overlap. The
+/// return code is `MAX_ITERATION_NUMBER_REACHED` if that is so of any chart. The mesh is valid in each case, and as
+/// it was if `number_of_iterations` is 0.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the metric fails at a point of the surface; the mesh
-/// is
-/// valid then, with the charts before optimized.
+/// is valid then, with the charts before optimized.
 template <class ConcurrencyTag = Sequential_tag, class Field, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_mesh_2::Optimization_result
 optimize_anisotropic_surface_mesh_3(Anisotropic_surface_mesh_3<Field>& surface_mesh,

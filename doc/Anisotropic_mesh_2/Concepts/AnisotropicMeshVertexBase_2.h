@@ -20,7 +20,8 @@ public:
   /// sets the tensor; the triangulation does so when it inserts or moves the vertex.
   void set_metric_tensor(const Metric_tensor_2& m);
 
-  /// the rank of the vertex in the order of insertion.
+  /// the number of the vertex: its rank in the order of insertion, unless quality moves have given it that of a
+  /// removed one.
   int index() const;
   /// sets the index; the triangulation does so when it inserts the vertex.
   void set_index(int i);

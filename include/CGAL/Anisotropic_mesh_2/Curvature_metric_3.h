@@ -68,7 +68,8 @@ public:
     const double h_min = size(k.k_min), h_max = size(k.k_max), smaller = (std::min)(h_min, h_max);
     return Metric_tensor_3<Kernel>::from_directions
       ({k.v_min, k.v_max, k.normal},
-       {FT((std::min)(h_min, m_largest_ratio * smaller)), FT((std::min)(h_max, m_largest_ratio * smaller)), FT(smaller)});
+       {FT((std::min)(h_min, m_largest_ratio * smaller)), FT((std::min)(h_max, m_largest_ratio * smaller)),
+        FT(smaller)});
   }
 
 private:

@@ -36,9 +36,8 @@ namespace CGAL::Anisotropic_mesh_2 {
 /// Parameters outside of the `domain()` stand for the nearest ones within.
 ///
 /// A program with this header must link `CGAL::Eigen3_support`, and takes 110 s and 2.7 GB of memory to compile with
-/// its
-/// mesher and optimizer (g++ 12, `-O2`). Copies share their data and are cheap. A query takes
-/// \f$ O(\log n) \f$ time for reasonable meshes of `n` triangles.
+/// its mesher and optimizer (g++ 12, `-O2`). Copies share their data and are cheap. A query takes \f$ O(\log n) \f$
+/// time for reasonable meshes of `n` triangles.
 ///
 /// \tparam K a model of `Kernel` with exact predicates
 /// \cgalModels{ParametricSurface_3}

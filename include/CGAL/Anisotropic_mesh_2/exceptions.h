@@ -23,9 +23,8 @@ namespace CGAL::Anisotropic_mesh_2 {
 /// the base of all exceptions of this package. What a metric field, a surface or a visitor throws passes through.
 ///
 /// After a throw, arguments that a function takes by constant reference are as before, and what it would return does
-/// not
-/// exist. A mesh that it changes is valid, and has the vertices and the domain that it had up to the failure; functions
-/// that promise more or less say so. In any case it may be assigned to, cleared and destroyed.
+/// not exist. A mesh that it changes is valid, and has the vertices and the domain that it had up to the failure;
+/// functions that promise more or less say so. In any case it may be assigned to, cleared and destroyed.
 class Anisotropic_mesh_exception
   : public std::runtime_error
 {

@@ -34,8 +34,8 @@ namespace IO {
 /// \addtogroup PkgAnisotropicMesh2IO
 /// @{
 
-/// draws the domain of a triangulation as a Scalable Vector Graphics file,
-/// 800 pixels wide.
+/// draws the domain of a triangulation, or what a window shows of it, as a
+/// Scalable Vector Graphics file, 800 pixels wide.
 ///
 /// Subdomains are softly filled, in different colors where they touch. The width of the edges follows the size of
 /// the triangles around them, so that graded and very anisotropic meshes stay
