@@ -1,6 +1,6 @@
 // The energy and the greatest move of Lloyd's iteration and of the quasi-Newton
 // method, from the same unit meshes, for three cases of Du and Wang. Vertices stay
-// at their mass centres: topological moves would raise the energy at the end.
+// at their mass centres: quality moves would raise the energy at the end.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>

@@ -46,7 +46,7 @@ int main()
 
   pond.remove(white);
   pond.move(green, Point(0.2, 0.15)); // across many faces
-  // Buoys may drift, but not vanish, as vertices off constrained edges might by topological moves.
+  // Buoys may drift, but not vanish, as vertices off constrained edges might by quality moves.
   CGAL::optimize_anisotropic_mesh_2(pond, CGAL::Anisotropic_mesh_2::parameters::quality_moves(false));
 
   int buoys = 0;

@@ -264,7 +264,7 @@ public:
   }
 
 private:
-  // topological moves may insert and remove
+  // quality moves may insert and remove
   void optimize(int iterations)
   {
     CGAL::optimize_anisotropic_mesh_2(m_mesh, CGAL::parameters::number_of_iterations(iterations));
