@@ -105,11 +105,11 @@ public:
   void insert_boundary(const Boundary_graph& boundary)
   try
   {
-    m_regions = boundary.regions;
     const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
     Edge_set toggling;
     for(const auto& s : boundary.segments)
       insert_segment(vertices[s.source], vertices[s.target], s.reference, s.is_boundary, toggling);
+    m_regions.insert(m_regions.end(), boundary.regions.begin(), boundary.regions.end());
     mark_domain(toggling);
   }
   catch(const typename Triangulation_kernel::Intersection_of_constraints_exception&) {
@@ -151,9 +151,10 @@ public:
       if(v->is_required())
         copy(v);
     Edge_set toggling;
-    for(const Edge& e : constrained_edges())
-      result.insert_segment(copy(e.first->vertex(ccw(e.second))), copy(e.first->vertex(cw(e.second))),
-                            edge_reference(e), is_on_boundary(e), toggling);
+    for(const Edge& e : constrained_edges()) {
+      const Vertex_handle source = copy(e.first->vertex(ccw(e.second))), target = copy(e.first->vertex(cw(e.second)));
+      result.insert_segment(source, target, edge_reference(e), is_on_boundary(e), toggling);
+    }
     result.set_vertex_index_bound(this->vertex_index_bound());
     result.mark_domain(toggling);
     return result;
@@ -183,7 +184,7 @@ public:
   /// whether the domain lies on exactly one side of the edge.
   bool is_on_boundary(const Edge& e) const
   {
-    return e.first->is_in_domain() != e.first->neighbor(e.second)->is_in_domain();
+    return this->dimension() == 2 && e.first->is_in_domain() != e.first->neighbor(e.second)->is_in_domain();
   }
 
   /// the faces of the domain, in an order that is the same in every run.
@@ -196,11 +197,13 @@ public:
     return faces;
   }
 
-  /// the constrained edges, each seen from the face from which its vertices are in the
-  /// order of their indices, in an order that is the same in every run.
+  /// the constrained edges, each seen from the face, which may be infinite, from which its vertices are in
+  /// the order of their indices; in an order that is the same in every run.
   std::vector<Edge> constrained_edges() const
   {
     std::vector<Edge> edges;
+    if(this->dimension() == 1) // there are no faces to go through
+      edges.assign(this->constrained_edges_begin(), this->constrained_edges_end());
     for(Face_handle f : this->all_face_handles())
       for(int i = 0; i < 3; ++i)
         if(f->is_constrained(i) && f->vertex(ccw(i))->index() < f->vertex(cw(i))->index())
@@ -208,7 +211,8 @@ public:
     return edges;
   }
 
-  /// the edges of the domain, each seen as those of `constrained_edges()`, in an order that is the same in every run.
+  /// the edges of the domain, in an order that is the same in every run; each seen from the domain, and if that
+  /// lies on both sides, as by `constrained_edges()`.
   std::vector<Edge> edges_in_domain() const
   {
     std::vector<Edge> edges;

@@ -170,6 +170,9 @@ public:
     take_regions(subdivision);
     collect_neighbors();
   }
+
+  /// a temporary mesh would not outlive the tessellation.
+  explicit Anisotropic_Voronoi_diagram_2(const Mesh&&, const Distance& = Distance(), double = 1e-4) = delete;
   /// @}
 
   /// the mesh that was given.

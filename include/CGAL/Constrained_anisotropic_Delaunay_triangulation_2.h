@@ -49,8 +49,9 @@ namespace CGAL {
 /// except for those that would leave vertices without tensor and index or edges without their marks:
 /// `insert_in_face()`, `insert_in_edge()`, `insert_outside_convex_hull()`, `insert_outside_affine_hull()`,
 /// `insert_first()`, `insert_second()`, `remove_first()`, `remove_second()`, `remove_degree_3()`,
-/// `remove_and_give_new_faces()`, `remove_constraint()`, `star_hole()`, `make_hole()`, `create_face()`,
-/// `delete_face()`, `delete_vertex()`, `collapse_edge()`, `file_input()` and the operator `>>` cannot be called.
+/// `remove_and_give_new_faces()`, `remove_constraint()`, `star_hole()`, `make_hole()`, `copy_triangulation()`,
+/// `create_face()`, `delete_face()`, `delete_vertex()`, `collapse_edge()`, `file_input()` and the operator `>>` cannot
+/// be called.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Tds_ a model of `TriangulationDataStructure_2` whose vertices model
@@ -592,6 +593,7 @@ protected:
 private:
   // what would break the invariants
   using Constrained_triangulation::collapse_edge;
+  using Constrained_triangulation::copy_triangulation;
   using Constrained_triangulation::create_face;
   using Constrained_triangulation::delete_face;
   using Constrained_triangulation::delete_vertex;

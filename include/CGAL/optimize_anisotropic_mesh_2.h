@@ -40,7 +40,8 @@ enum class Optimization_method
   QUASI_NEWTON,
   /// Lloyd's iteration as in section 4 of \cgalCite{dw-acvt-05}: all vertices move to the mass centres of their regions
   /// and are inserted anew into the stored empty mesh. Vertices keep their indices and what else their type stores;
-  /// handles to vertices and faces do not stay valid. An iteration takes \f$ O(n \log n) \f$ time.
+  /// handles to vertices and faces do not stay valid, and vertices outside of the domain stay only if they are fixed.
+  /// An iteration takes \f$ O(n \log n) \f$ time.
   LLOYD
 };
 

@@ -90,7 +90,8 @@ void optimize_charts(Anisotropic_surface_mesh_3<Field>& surface_mesh, const Surf
 /// \tparam Field an instance of `Surface_metric_field_2`.
 /// \tparam NamedParameters a sequence of named parameters
 /// \param surface_mesh the mesh. Vertices may be inserted, removed and renumbered.
-/// \param np an optional sequence of named parameters, those of `optimize_anisotropic_mesh_2()`.
+/// \param np an optional sequence of named parameters, those of `optimize_anisotropic_mesh_2()`
+/// except for `vertex_is_constrained_map`.
 /// `maximum_running_time` is that of the whole; `number_of_iterations` and the other criteria hold for each chart in
 /// each round. The visitor is copied for each, and is shown the state of a chart.
 ///

@@ -496,6 +496,32 @@ void test_clear()
   CHECK(mesh.number_of_faces_in_domain() == 1);
 }
 
+// A second boundary leaves the subdomains of the first one as they are.
+void test_subdomains_of_two_boundaries()
+{
+  Mesh mesh = two_halves();
+  Mesh::Boundary_graph hole;
+  hole.points = {Point(5, 5), Point(7, 5), Point(6, 7)};
+  for(std::size_t i = 0; i < 3; ++i)
+    hole.segments.push_back({i, (i + 1) % 3, 20, true});
+  mesh.insert_boundary(hole);
+  for(Mesh::Face_handle f : mesh.faces_in_domain()) {
+    const Point c = CGAL::centroid(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    CHECK(f->subdomain_index() == (c.x() < 4 ? 3 : 5));
+  }
+  CHECK(mesh.locate(Point(6, 6))->is_in_domain() == false);
+}
+
+// Constraints on a line are edges of the mesh, too, and stay in the empty mesh.
+void test_constraints_on_a_line()
+{
+  Mesh mesh{Traits<Epick>(field_of<Epick>(rotating))};
+  mesh.insert_constraint(mesh.insert(Point(0, 0)), mesh.insert(Point(2, 0)));
+  mesh.insert(Point(5, 0));
+  CHECK(mesh.dimension() == 1 && mesh.constrained_edges().size() == 1);
+  CHECK(mesh.empty_mesh().number_of_vertices() == 2);
+}
+
 // A free edge has no reference, and gets none from before when it is constrained again.
 void test_references_of_freed_edges()
 {
@@ -706,6 +732,8 @@ int main()
   test_info();
   test_marks_of_meshes();
   test_clear();
+  test_subdomains_of_two_boundaries();
+  test_constraints_on_a_line();
   test_references_of_freed_edges();
   test_references_under_changes();
   test_second_boundary();

@@ -45,7 +45,7 @@ struct Quality_in_mean_tensor
 // of flips, quality decides everywhere; and since rounding errors may make even
 // qualities rise in a circle, after many more no flip is wanted. But as long as
 // all tensors are multiples of one, the criterion decides alone: it does not
-// depend on the sizes then, and its flips come to an end.
+// depend on the sizes then, and its flips come to an end if it is decided exactly.
 template <class Triangulation, class Measure>
 class Flip_policy
 {
@@ -69,7 +69,8 @@ public:
   // the same with a view to the flips already granted
   bool operator()(const Edge& e)
   {
-    if(!is_free(e) || (!m_is_uniform && m_flips > 8 * m_maximum_of_flips))
+    const bool is_finite = m_is_uniform && Triangulation::Geom_traits::has_exact_predicates;
+    if(!is_free(e) || (!is_finite && m_flips > 8 * m_maximum_of_flips))
       return false;
     const bool by_quality = is_rough(e) || (!m_is_uniform && is_exhausted());
     if(!is_better_flipped(e, by_quality))

@@ -23,12 +23,12 @@ public:
   Required_for_now(Mesh& mesh, const NamedParameters& np) : m_mesh(mesh)
   {
     const auto map = CGAL::parameters::get_parameter(np, internal_np::vertex_is_constrained);
-    if constexpr(!std::is_same<std::decay_t<decltype(map)>, internal_np::Param_not_found>::value)
+    if constexpr(!std::is_same<std::decay_t<decltype(map)>, internal_np::Param_not_found>::value) {
       for(typename Mesh::Vertex_handle v : mesh.finite_vertex_handles())
-        if(!v->is_required() && get(map, v)) {
-          v->set_required(true);
+        if(!v->is_required() && get(map, v))
           m_indices.insert(v->index());
-        }
+      set_required(true); // only now, since the map may throw
+    }
   }
 
   Required_for_now(const Required_for_now&) = delete;
@@ -38,12 +38,17 @@ public:
   ~Required_for_now()
   {
     if(!m_indices.empty())
-      for(typename Mesh::Vertex_handle v : m_mesh.finite_vertex_handles())
-        if(m_indices.count(v->index()) > 0)
-          v->set_required(false);
+      set_required(false);
   }
 
 private:
+  void set_required(bool is_required)
+  {
+    for(typename Mesh::Vertex_handle v : m_mesh.finite_vertex_handles())
+      if(m_indices.count(v->index()) > 0)
+        v->set_required(is_required);
+  }
+
   Mesh&         m_mesh;
   std::set<int> m_indices;
 };

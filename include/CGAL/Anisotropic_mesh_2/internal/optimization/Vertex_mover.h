@@ -34,7 +34,7 @@ public:
   const Free_vertices<Mesh>& free_vertices() const { return m_free; }
 
   // Moves the free vertices towards `target`; they end there or, where faces
-  // would turn over, on the way. Should the field fail, all stay where they are.
+  // would turn over, on the way. Should the field fail at one of them, all stay where they are.
   void move_to(const Array& target)
   {
     const Array start = m_free.positions();

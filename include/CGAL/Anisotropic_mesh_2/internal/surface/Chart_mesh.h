@@ -125,9 +125,8 @@ private:
   static constexpr double contact = 1e-9; // closer than this share of the smaller extent of parameters, lines touch
 
   // Faces that are wide beyond what the metric resolves may be upside down in a chart other than the one they were
-  // made in, and the sides of a seam that is not glued coincide. The border must not meet itself there: the part is
-  // left
-  // without all around such vertices.
+  // made in, and the sides of a seam that is not glued coincide. The border must not meet itself there: such vertices
+  // leave the part with all faces around them.
   void choose_faces()
   {
     std::vector<bool> is_inside(m_coordinates.size(), true);
