@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_EDGE_SWAPPER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/have_multiples_of.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Unit_band.h>
 
@@ -91,11 +92,7 @@ private:
                       metric_quality(v[2]->point(), v[3]->point(), v[0]->point(), m)) > doubt * least;
   }
 
-  static bool has_multiples(const Quadrilateral& v)
-  {
-    return std::all_of(v.begin() + 1, v.end(), [&](Vertex_handle w)
-                       { return is_multiple_of(w->metric_tensor(), v[0]->metric_tensor()); });
-  }
+  static bool has_multiples(const Quadrilateral& v) { return have_multiples_of(v, v[0]->metric_tensor()); }
 
   // whether the last but one vertex is in conflict with the face of the others
   bool is_in_conflict(const Quadrilateral& v) const
