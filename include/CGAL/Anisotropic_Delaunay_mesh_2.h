@@ -17,10 +17,8 @@
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/graph_of_triangulation.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -106,11 +104,10 @@ public:
   try
   {
     const std::vector<Vertex_handle> vertices = insert_boundary_points(boundary.points);
-    Edge_set toggling;
     for(const auto& s : boundary.segments)
-      insert_segment(vertices[s.source], vertices[s.target], s.reference, s.is_boundary, toggling);
+      insert_segment(vertices[s.source], vertices[s.target], {true, s.reference, s.is_boundary});
     m_regions.insert(m_regions.end(), boundary.regions.begin(), boundary.regions.end());
-    mark_domain(toggling);
+    mark_domain();
   }
   catch(const typename Triangulation_kernel::Intersection_of_constraints_exception&) {
     throw Anisotropic_mesh_2::Invalid_domain_exception
@@ -150,13 +147,12 @@ public:
     for(Vertex_handle v : this->finite_vertex_handles())
       if(v->is_required())
         copy(v);
-    Edge_set toggling;
     for(const Edge& e : constrained_edges()) {
       const Vertex_handle source = copy(e.first->vertex(ccw(e.second))), target = copy(e.first->vertex(cw(e.second)));
-      result.insert_segment(source, target, edge_reference(e), is_on_boundary(e), toggling);
+      result.insert_segment(source, target, Anisotropic_mesh_2::internal::edge_mark(*e.first, e.second));
     }
     result.set_vertex_index_bound(this->vertex_index_bound());
-    result.mark_domain(toggling);
+    result.mark_domain();
     return result;
   }
 
@@ -253,7 +249,21 @@ public:
   /// removed; insertion, removal and relocation of vertices keep the marks. The domain stays what `insert_boundary()`
   /// has been given. Where a constraint between inside and outside was removed, both become what the part is that fewer
   /// boundaries separate from the infinite face. Takes time linear in the number of faces.
-  void mark_domain() { mark_domain(Edge_set()); }
+  void mark_domain()
+  {
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
+      f->set_subdomain_index(unvisited);
+    if(this->dimension() < 2)
+      return;
+    const std::vector<bool> inside = find_components();
+    std::vector<int> references(inside.size(), 0);
+    for(const auto& region : m_regions)
+      references[component_at(region.seed)] = region.reference;
+    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
+      f->set_in_domain(inside[f->subdomain_index()]);
+      f->set_subdomain_index(references[f->subdomain_index()]);
+    }
+  }
   /// @}
 
   /// \name Insertion
@@ -271,8 +281,7 @@ public:
 
 private:
   typedef Anisotropic_mesh_2::Planar_straight_line_graph_2<Kernel> Graph;
-
-  typedef std::set<std::pair<int, int> >                              Edge_set; // by the indices of the ends
+  typedef Anisotropic_mesh_2::internal::Edge_mark                  Edge_mark;
 
   // a face from which a component is filled
   struct Seed
@@ -282,11 +291,6 @@ private:
   };
 
   static constexpr int unvisited = -1;
-
-  static std::pair<int, int> key(const Edge& e)
-  {
-    return std::minmax({e.first->vertex(ccw(e.second))->index(), e.first->vertex(cw(e.second))->index()});
-  }
 
   std::vector<Vertex_handle> insert_boundary_points(const std::vector<Point>& points)
   {
@@ -299,8 +303,9 @@ private:
     return vertices;
   }
 
-  // A segment that passes through other vertices becomes several edges.
-  void insert_segment(Vertex_handle u, Vertex_handle v, int reference, bool is_boundary, Edge_set& toggling)
+  // A segment that passes through other vertices becomes several edges. Where these are constrained already, they
+  // keep their reference, and of two coinciding boundaries none is left, since both sides are alike.
+  void insert_segment(Vertex_handle u, Vertex_handle v, const Edge_mark& mark)
   {
     this->insert_constraint(u, v);
     while(u != v) {
@@ -308,34 +313,16 @@ private:
       Edge e;
       if(!this->includes_edge(u, v, next, e.first, e.second))
         return;
-      if(edge_reference(e) == 0)
-        this->set_mark(e, {true, reference});
-      if(is_boundary && !toggling.insert(key(e)).second) // two coinciding boundary edges have the same on both sides
-        toggling.erase(key(e));
+      const Edge_mark old = Anisotropic_mesh_2::internal::edge_mark(*e.first, e.second);
+      this->set_mark(e, {true, old.reference != 0 ? old.reference : mark.reference,
+                         old.is_boundary != mark.is_boundary});
       u = next;
-    }
-  }
-
-  // the same where crossing the given edges toggles inside and outside, in addition to the old boundary
-  void mark_domain(const Edge_set& toggling)
-  {
-    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f)
-      f->set_subdomain_index(unvisited);
-    if(this->dimension() < 2)
-      return;
-    const std::vector<bool> inside = find_components(toggling);
-    std::vector<int> references(inside.size(), 0);
-    for(const auto& region : m_regions)
-      references[component_at(region.seed)] = region.reference;
-    for(auto f = this->all_faces_begin(); f != this->all_faces_end(); ++f) {
-      f->set_in_domain(inside[f->subdomain_index()]);
-      f->set_subdomain_index(references[f->subdomain_index()]);
     }
   }
 
   // Numbers the components that constrained edges separate, from the outermost
   // on, in the subdomain indices of the faces; returns which belong to the domain.
-  std::vector<bool> find_components(const Edge_set& toggling)
+  std::vector<bool> find_components()
   {
     std::vector<bool> inside;
     std::deque<Seed> seeds(1, Seed{this->infinite_face(), false});
@@ -351,8 +338,7 @@ private:
         if(g->subdomain_index() != unvisited)
           return false;
         if(f->is_constrained(i)) {
-          const bool toggles = is_on_boundary(Edge(f, i)) != (toggling.count(key(Edge(f, i))) > 0);
-          seeds.push_back(Seed{g, seed.is_inside != toggles});
+          seeds.push_back(Seed{g, seed.is_inside != f->is_boundary(i)});
           return false;
         }
         g->set_subdomain_index(component);

@@ -19,7 +19,7 @@ namespace CGAL {
 /// \ingroup PkgAnisotropicMesh2Classes
 ///
 /// The face base of anisotropic meshes: it stores whether the face belongs to
-/// the domain, to which subdomain, and the references of its edges.
+/// the domain, to which subdomain, the references of its edges, and which of them bound the domain.
 ///
 /// \tparam Gt a model of `RiemannianMetricTraits_2`.
 /// \tparam Fb a model of `ConstrainedTriangulationFaceBase_2`.
@@ -80,11 +80,18 @@ public:
   /// sets the reference of the `i`-th edge.
   void set_edge_reference(int i, int reference) { m_edge_references[i] = reference; }
 
+  /// whether inside and outside of the domain change at the `i`-th edge.
+  bool is_boundary(int i) const { return m_is_boundary[i]; }
+
+  /// sets whether inside and outside of the domain change at the `i`-th edge.
+  void set_boundary(int i, bool b) { m_is_boundary[i] = b; }
+
   /// exchanges the vertices 0 and 1.
   void reorient()
   {
     Fb::reorient();
     std::swap(m_edge_references[0], m_edge_references[1]);
+    std::swap(m_is_boundary[0], m_is_boundary[1]);
   }
 
   /// turns the face: vertex 0 becomes vertex 1.
@@ -92,6 +99,7 @@ public:
   {
     Fb::ccw_permute();
     m_edge_references = {{m_edge_references[2], m_edge_references[0], m_edge_references[1]}};
+    m_is_boundary = {{m_is_boundary[2], m_is_boundary[0], m_is_boundary[1]}};
   }
 
   /// turns the face: vertex 0 becomes vertex 2.
@@ -99,11 +107,13 @@ public:
   {
     Fb::cw_permute();
     m_edge_references = {{m_edge_references[1], m_edge_references[2], m_edge_references[0]}};
+    m_is_boundary = {{m_is_boundary[1], m_is_boundary[2], m_is_boundary[0]}};
   }
   /// @}
 
 private:
   bool m_is_in_domain = false;
+  std::array<bool, 3> m_is_boundary = {{false, false, false}};
   int m_subdomain_index = 0;
   std::array<int, 3> m_edge_references = {{0, 0, 0}};
 };

@@ -437,6 +437,14 @@ std::multiset<int> references(const Mesh& mesh)
   return result;
 }
 
+double area_of_domain(const Mesh& mesh)
+{
+  double sum = 0;
+  for(Mesh::Face_handle f : mesh.faces_in_domain())
+    sum += CGAL::area(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+  return sum;
+}
+
 void test_marks_of_meshes()
 {
   Mesh mesh = two_halves();
@@ -599,17 +607,43 @@ void test_second_boundary()
   hole.points = {Point(1, 1), Point(3, 1), Point(3, 3), Point(1, 3)};
   for(std::size_t i = 0; i < 4; ++i)
     hole.segments.push_back({i, (i + 1) % 4, 2, true});
-  const auto area = [&] {
-    double sum = 0;
-    for(Mesh::Face_handle f : mesh.finite_face_handles())
-      if(f->is_in_domain())
-        sum += CGAL::area(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
-    return sum;
-  };
   mesh.insert_boundary(hole);
-  CHECK(area() == 60 && references(mesh).count(2) == 4);
+  CHECK(area_of_domain(mesh) == 60 && references(mesh).count(2) == 4);
   mesh.insert_boundary(hole);
-  CHECK(area() == 64 && references(mesh).count(2) == 4);
+  CHECK(area_of_domain(mesh) == 64 && references(mesh).count(2) == 4);
+}
+
+// A hole near the boundary of a square, of which an edge is freed, so that flips mix faces of both its sides, also
+// those at other boundary edges: the hole is gone, and comes back with its edge.
+void test_freed_edges_of_holes(const Field<Epick>& field)
+{
+  Mesh::Boundary_graph square, hole;
+  square.points = {Point(0, 0), Point(8, 0), Point(8, 8), Point(0, 8)};
+  hole.points = {Point(4, 0.5), Point(7.5, 4), Point(4, 7.5), Point(0.5, 4)};
+  for(std::size_t i = 0; i < 4; ++i) {
+    square.segments.push_back({i, (i + 1) % 4, 1, true});
+    hole.segments.push_back({i, (i + 1) % 4, 2, true});
+  }
+  for(std::size_t i = 0; i < 4; ++i) {
+    Mesh mesh{Traits<Epick>(field)};
+    mesh.insert_boundary(square);
+    mesh.insert_boundary(hole);
+    CHECK(area_of_domain(mesh) == 64 - 24.5);
+    const Mesh::Edge e = edge_between(mesh, mesh.insert(hole.points[i]), mesh.insert(hole.points[(i + 1) % 4]));
+    mesh.remove_constrained_edge(e.first, e.second);
+    Random_numbers random(unsigned(i) + 1);
+    const auto v = mesh.insert(Point(4, 4));
+    for(int k = 0; k < 20; ++k)
+      mesh.move_if_no_collision(v, Point(random.real(0.1, 7.9), random.real(0.1, 7.9)));
+    mesh.remove(v);
+    mesh.mark_domain();
+    CHECK(area_of_domain(mesh) == 64);
+    hole.segments = {{i, (i + 1) % 4, 3, true}};
+    mesh.insert_boundary(hole);
+    CHECK(area_of_domain(mesh) == 64 - 24.5);
+    CHECK(references(mesh) == (std::multiset<int>{1, 1, 1, 1, 2, 2, 2, 3}) && mesh.is_valid(true, 1));
+    hole.segments = {{0, 1, 2, true}, {1, 2, 2, true}, {2, 3, 2, true}, {3, 0, 2, true}};
+  }
 }
 
 // ---------------------------------------------------------------- validity and consistency
@@ -737,6 +771,8 @@ int main()
   test_references_of_freed_edges();
   test_references_under_changes();
   test_second_boundary();
+  test_freed_edges_of_holes(stretched.field<Epick>());
+  test_freed_edges_of_holes(field_of<Epick>(rotating));
   test_levels_of_validity();
   test_consistency();
   test_consistency_with_constraints();

@@ -2,10 +2,10 @@
 /// \cgalConcept
 ///
 /// The concept `AnisotropicMeshFaceBase_2` describes the faces of anisotropic
-/// meshes, which know whether they belong to the domain, and the references of
-/// their edges. A new face does not belong to the domain, and its edges have no
-/// reference. `reorient()`, `ccw_permute()` and `cw_permute()` take the
-/// references along with the constraints.
+/// meshes, which know whether they belong to the domain, the references of
+/// their edges, and which of these bound the domain. A new face does not belong to
+/// the domain, and its edges have no reference and bound nothing. `reorient()`, `ccw_permute()` and
+/// `cw_permute()` take what is stored for edges along with the constraints.
 ///
 /// \cgalRefines{ConstrainedTriangulationFaceBase_2}
 ///
@@ -29,4 +29,9 @@ public:
   int edge_reference(int i) const;
   /// sets the reference of the `i`-th edge.
   void set_edge_reference(int i, int reference);
+
+  /// whether inside and outside of the domain change at the `i`-th edge.
+  bool is_boundary(int i) const;
+  /// sets whether inside and outside of the domain change at the `i`-th edge.
+  void set_boundary(int i, bool b);
 };

@@ -162,6 +162,8 @@ constexpr bool models_face_base()
   SAME_TYPE(std::declval<Face&>().set_subdomain_index(-1), void);
   SAME_TYPE(a_const<Face>().edge_reference(2), int);
   SAME_TYPE(std::declval<Face&>().set_edge_reference(2, -1), void);
+  SAME_TYPE(a_const<Face>().is_boundary(2), bool);
+  SAME_TYPE(std::declval<Face&>().set_boundary(2, true), void);
   return true;
 }
 

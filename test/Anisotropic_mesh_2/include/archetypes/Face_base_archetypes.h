@@ -84,26 +84,33 @@ public:
   int edge_reference(int i) const { return m_edge_references[i]; }
   void set_edge_reference(int i, int reference) { m_edge_references[i] = reference; }
 
+  bool is_boundary(int i) const { return m_is_boundary[i]; }
+  void set_boundary(int i, bool b) { m_is_boundary[i] = b; }
+
   void reorient()
   {
     Fb::reorient();
     m_edge_references = {{m_edge_references[1], m_edge_references[0], m_edge_references[2]}};
+    m_is_boundary = {{m_is_boundary[1], m_is_boundary[0], m_is_boundary[2]}};
   }
   void ccw_permute()
   {
     Fb::ccw_permute();
     m_edge_references = {{m_edge_references[2], m_edge_references[0], m_edge_references[1]}};
+    m_is_boundary = {{m_is_boundary[2], m_is_boundary[0], m_is_boundary[1]}};
   }
   void cw_permute()
   {
     Fb::cw_permute();
     m_edge_references = {{m_edge_references[1], m_edge_references[2], m_edge_references[0]}};
+    m_is_boundary = {{m_is_boundary[1], m_is_boundary[2], m_is_boundary[0]}};
   }
 
 private:
   bool m_is_in_domain = false;
   int  m_subdomain_index = -12345; // not used before it is set
   std::array<int, 3> m_edge_references = {{0, 0, 0}};
+  std::array<bool, 3> m_is_boundary = {{false, false, false}};
 };
 
 // What writers need of faces.

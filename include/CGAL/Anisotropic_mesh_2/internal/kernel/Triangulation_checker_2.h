@@ -68,7 +68,7 @@ private:
       for(int i = 0; i < 3; ++i) {
         const Edge e = m_t.mirror_edge(Edge(f, i));
         const Edge_mark mark = edge_mark(*f, i);
-        if(!(mark == edge_mark(*e.first, e.second)) || (!mark.is_constrained && mark.reference != 0))
+        if(!(mark == edge_mark(*e.first, e.second)) || !(mark.is_constrained || mark == Edge_mark()))
           return false;
       }
     return true;

@@ -26,10 +26,11 @@ struct Edge_mark
 {
   bool is_constrained = false;
   int  reference = 0;
+  bool is_boundary = false; // inside and outside change there
 
   friend bool operator==(const Edge_mark& m, const Edge_mark& n)
   {
-    return m.is_constrained == n.is_constrained && m.reference == n.reference;
+    return m.is_constrained == n.is_constrained && m.reference == n.reference && m.is_boundary == n.is_boundary;
   }
 };
 
@@ -43,17 +44,19 @@ template <class Face>
 Edge_mark edge_mark(const Face& f, int i)
 {
   if constexpr(Is_mesh_face<Face>::value)
-    return {f.is_constrained(i), f.edge_reference(i)};
+    return {f.is_constrained(i), f.edge_reference(i), f.is_boundary(i)};
   else
-    return {f.is_constrained(i), 0};
+    return {f.is_constrained(i)};
 }
 
 template <class Face>
 void set_edge_mark(Face& f, int i, const Edge_mark& m)
 {
   f.set_constraint(i, m.is_constrained);
-  if constexpr(Is_mesh_face<Face>::value)
+  if constexpr(Is_mesh_face<Face>::value) {
     f.set_edge_reference(i, m.reference);
+    f.set_boundary(i, m.is_boundary);
+  }
 }
 
 template <class Face>
