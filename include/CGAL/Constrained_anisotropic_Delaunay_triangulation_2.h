@@ -203,7 +203,8 @@ public:
   /// the tensor of `p`. It may move anywhere if it is not fixed. An
   /// end of constrained edges takes them along.
   /// \return `v`, or the vertex that stands at `p`, in which case nothing changes.
-  /// If the traits do not decide exactly, `v` may also stay where it is, as with `remove()`.
+  /// If the traits do not decide exactly, `v` may also stay where it is, as with `remove()`; a constrained edge on
+  /// which `p` lies then keeps a new vertex there.
   /// \pre `v` is a finite vertex of the triangulation. If it is fixed, its faces are finite and are still
   /// counterclockwise with `v` at `p`.
   /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field has no valid tensor at
@@ -229,13 +230,13 @@ public:
     const int index_bound = m_vertex_index_bound;
     const Vertex_handle w = insert(p, m, lt, f, li);
     exchange(v, w);
-    if(remove(w))
-      m_vertex_index_bound = index_bound;
-    else { // rounding errors leave no way to fill the hole: v stays
+    bool is_removed = remove(w);
+    if(!is_removed) { // rounding errors leave no way to fill the hole: v stays
       exchange(v, w);
-      if(remove(w))
-        m_vertex_index_bound = index_bound;
+      is_removed = !is_fixed(w) && remove(w);
     }
+    if(is_removed)
+      m_vertex_index_bound = index_bound;
     return v;
   }
 

@@ -12,10 +12,13 @@
 #include "include/Random_numbers.h"
 
 #include <CGAL/Anisotropic_Delaunay_mesh_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_reinserter.h>
 #include <CGAL/anisotropic_Delaunay_consistency_2.h>
 
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
 #include <iostream>
 #include <set>
 #include <string>
@@ -646,6 +649,103 @@ void test_freed_edges_of_holes(const Field<Epick>& field)
   }
 }
 
+// Where coordinates are finer than a double, vertices whose move is taken back stand where they have stood: after a
+// move into inverted faces, after one at whose end the field fails, and after one there and back.
+template <class K>
+void test_moves_taken_back()
+{
+  typedef CGAL::Anisotropic_Delaunay_mesh_2<Traits<K> > Fine_mesh;
+  typedef typename K::Point_2                           Fine_point;
+  bool fails = false;
+  Fine_mesh mesh{Traits<K>([&](const Fine_point&) { return CGAL::Metric_tensor_2<K>::from_size(fails ? -1 : 1); })};
+  typename Fine_mesh::Boundary_graph boundary;
+  boundary.points = {Fine_point(0, 0), Fine_point(3, 0), Fine_point(3, 3), Fine_point(0, 3)};
+  for(std::size_t i = 0; i < 4; ++i)
+    boundary.segments.push_back({i, (i + 1) % 4, 1, true});
+  mesh.insert_boundary(boundary);
+  const typename K::FT third = typename K::FT(1) / 3, seventh = typename K::FT(1) / 7;
+  const std::vector<Fine_point> old = {Fine_point(1 + third, 1 + seventh), Fine_point(2 - seventh, 1 + third),
+                                       Fine_point(2 - third, 2 - seventh)};
+  std::vector<typename Fine_mesh::Vertex_handle> vertices;
+  for(const Fine_point& p : old)
+    vertices.push_back(mesh.insert(p));
+  const auto stand_as_before = [&] {
+    for(std::size_t i = 0; i < old.size(); ++i)
+      CHECK(vertices[i]->point() == old[i]);
+    CHECK(mesh.is_valid(true));
+  };
+  CGAL::Anisotropic_mesh_2::internal::Vertex_mover<Fine_mesh> mover(mesh);
+  const std::vector<double> start = mover.free_vertices().positions();
+  std::vector<double> target = start;
+  for(double& x : target)
+    x += 0.0625;
+  fails = true;
+  CHECK_THROWS(mover.move_to(target), CGAL::Anisotropic_mesh_2::Invalid_metric_tensor_exception, "size -1");
+  stand_as_before();
+  fails = false;
+  mover.move_to({1e9, 1e9, 1e9, 1e9, 1e9, 1e9});
+  stand_as_before();
+  mover.move_to(target);
+  CHECK(vertices[0]->point() == Fine_point(target[0], target[1]));
+  mover.move_to(start);
+  stand_as_before();
+  CGAL::Anisotropic_mesh_2::internal::Vertex_reinserter<Fine_mesh> reinserter(mesh);
+  reinserter.move_to(target);
+  reinserter.move_to(start);
+  std::set<Fine_point> now;
+  for(const auto v : mesh.finite_vertex_handles())
+    now.insert(v->point());
+  CHECK(std::count_if(old.begin(), old.end(), [&](const Fine_point& p) { return now.count(p) > 0; }) == 3);
+}
+
+// A field of size 1, and an orientation that sees no triangle of some points, as if rounding errors hid it.
+struct Blind_traits
+  : public Traits<Double_kernel>
+{
+  typedef Double_kernel::Point_2 Point_2;
+
+  struct Orientation_2
+  {
+    std::set<Point_2> hidden;
+
+    CGAL::Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const
+    {
+      return hidden.count(p) + hidden.count(q) + hidden.count(r) == 3 ? CGAL::COLLINEAR : CGAL::orientation(p, q, r);
+    }
+  };
+
+  explicit Blind_traits(const std::set<Point_2>& hidden)
+    : Traits<Double_kernel>([](const Point_2&) { return CGAL::Metric_tensor_2<Double_kernel>::from_size(1); }),
+      m_hidden(hidden)
+  {}
+
+  Orientation_2 orientation_2_object() const { return {m_hidden}; }
+
+private:
+  std::set<Point_2> m_hidden;
+};
+
+// A vertex that is moved onto a constrained edge, but whose old place cannot be filled: it stays, and so does the edge.
+void test_failing_move_onto_constraint()
+{
+  typedef Blind_traits::Point_2 P;
+  const std::set<P> around = {P(0, 0), P(2, 0), P(2, 2), P(0, 2)};
+  CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Blind_traits> t{Blind_traits(around)};
+  const auto v = t.insert(P(1, 1));
+  for(const P& p : around)
+    t.insert(p);
+  const auto source = t.insert(P(6, -2)), target = t.insert(P(6, 4));
+  t.insert(P(10, 1));
+  t.insert_constraint(source, target);
+  CHECK(!t.remove(v));
+  CHECK(t.move_if_no_collision(v, P(6, 1)) == v);
+  CHECK(v->point() == P(1, 1) && t.is_valid(true, 1));
+  double length = 0;
+  for(const auto& e : t.constrained_edges())
+    length += std::sqrt(t.segment(e).squared_length());
+  CHECK(length == 6);
+}
+
 // ---------------------------------------------------------------- validity and consistency
 
 Triangulation<Epick> random_triangulation(const Field<Epick>& field, int n)
@@ -771,6 +871,9 @@ int main()
   test_references_of_freed_edges();
   test_references_under_changes();
   test_second_boundary();
+  test_moves_taken_back<Epeck>();
+  test_moves_taken_back<Rational_kernel>();
+  test_failing_move_onto_constraint();
   test_freed_edges_of_holes(stretched.field<Epick>());
   test_freed_edges_of_holes(field_of<Epick>(rotating));
   test_levels_of_validity();

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -34,7 +35,8 @@ std::vector<typename Mesh::Vertex_handle> free_vertices(const Mesh& mesh)
 }
 
 // The vertices of a mesh that may move, and their way to and from plain arrays: there, the
-// coordinate k of the i-th vertex is number dimension * i + k.
+// coordinate k of the i-th vertex is number dimension * i + k. Where points are finer than doubles, the numbers of
+// those at which the vertices stood at first lead back to exactly these.
 template <class Mesh>
 class Free_vertices
 {
@@ -45,7 +47,17 @@ class Free_vertices
 public:
   static constexpr std::size_t dimension = 2;
 
-  explicit Free_vertices(const Mesh& mesh) : m_handles(free_vertices(mesh)) {}
+  explicit Free_vertices(const Mesh& mesh) : m_handles(free_vertices(mesh))
+  {
+    if constexpr(has_finer_points) {
+      m_first_positions = positions();
+      for(Vertex_handle v : m_handles)
+        m_first_points.push_back(v->point());
+    }
+  }
+
+  // Takes the vertices of the same indices, in their order, from another mesh.
+  void find_in(const Mesh& mesh) { m_handles = free_vertices(mesh); }
 
   std::size_t size() const { return m_handles.size(); }
   Vertex_handle operator[](std::size_t i) const { return m_handles[i]; }
@@ -62,9 +74,11 @@ public:
   {
     Array result;
     result.reserve(dimension * size());
-    for(Vertex_handle v : m_handles) {
-      result.push_back(CGAL::to_double(v->point().x()));
-      result.push_back(CGAL::to_double(v->point().y()));
+    for(std::size_t i = 0; i < size(); ++i) {
+      const auto x = m_handles[i]->point().x(), y = m_handles[i]->point().y();
+      const bool is_first = i < m_first_points.size() && x == m_first_points[i].x() && y == m_first_points[i].y();
+      result.push_back(is_first ? m_first_positions[2*i] : CGAL::to_double(x));
+      result.push_back(is_first ? m_first_positions[2*i + 1] : CGAL::to_double(y));
     }
     return result;
   }
@@ -76,12 +90,12 @@ public:
     for_each_index<ConcurrencyTag>(size(), [&](std::size_t i) { m_handles[i]->set_point(point(x, i)); });
   }
 
-  static Point point(const Array& x, std::size_t i) { return point_at<Point>(x[2*i], x[2*i + 1]); }
+  Point point(const Array& x, std::size_t i) const { return point(x[2*i], x[2*i + 1], i); }
 
   // on the way from x to y, of which it has gone the share t
-  static Point point_between(const Array& x, const Array& y, double t, std::size_t i)
+  Point point_between(const Array& x, const Array& y, double t, std::size_t i) const
   {
-    return point_at<Point>(x[2*i] + t * (y[2*i] - x[2*i]), x[2*i + 1] + t * (y[2*i + 1] - x[2*i + 1]));
+    return point(x[2*i] + t * (y[2*i] - x[2*i]), x[2*i + 1] + t * (y[2*i + 1] - x[2*i + 1]), i);
   }
 
   // of the i-th vector of an array, in the tensor of the vertex
@@ -91,7 +105,20 @@ public:
   }
 
 private:
+  static constexpr bool has_finer_points = !std::is_same<Coordinate<Point>, double>::value;
+
+  // the one of the i-th vertex
+  Point point(double x, double y, std::size_t i) const
+  {
+    if constexpr(has_finer_points)
+      if(x == m_first_positions[2*i] && y == m_first_positions[2*i + 1])
+        return m_first_points[i];
+    return point_at<Point>(x, y);
+  }
+
   std::vector<Vertex_handle> m_handles;
+  std::vector<Point>         m_first_points;    // where points are finer than doubles;
+  Array                      m_first_positions; // to_double() may depend on what has been computed since
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

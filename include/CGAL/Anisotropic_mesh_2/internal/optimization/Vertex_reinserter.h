@@ -55,7 +55,7 @@ public:
     next.set_vertex_index_bound(m_mesh.vertex_index_bound());
     restore_connectivity(next);
     m_mesh.swap(next);
-    m_free = Free_vertices<Mesh>(m_mesh);
+    m_free.find_in(m_mesh);
   }
 
 private:
@@ -69,12 +69,12 @@ private:
     return internal::spatial_order(points, m_mesh.geom_traits());
   }
 
-  static Vertex_handle insert_on_the_way(Mesh& mesh, const Array& start, const Array& target, std::size_t vertex,
-                                         Face_handle hint)
+  Vertex_handle insert_on_the_way(Mesh& mesh, const Array& start, const Array& target, std::size_t vertex,
+                                  Face_handle hint) const
   {
     double t = 1;
     for(int i = 0; i <= halvings; ++i, t = i < halvings ? t / 2 : 0) {
-      const Point p = Free_vertices<Mesh>::point_between(start, target, t, vertex);
+      const Point p = m_free.point_between(start, target, t, vertex);
       typename Mesh::Locate_type lt;
       int li;
       const Face_handle f = mesh.locate(p, lt, li, hint);
