@@ -13,6 +13,9 @@
 
 #include <CGAL/Anisotropic_mesh_2/IO/MEDIT.h>
 #include <CGAL/Anisotropic_mesh_2/IO/OFF.h>
+#include <CGAL/Anisotropic_mesh_2/IO/PLY.h>
+#include <CGAL/Anisotropic_mesh_2/IO/POLY.h>
+#include <CGAL/Anisotropic_mesh_2/IO/SVG.h>
 #include <CGAL/Anisotropic_mesh_2/IO/VTU.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
@@ -25,7 +28,11 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
+#include <ios>
+#include <ostream>
 #include <sstream>
+#include <streambuf>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -87,6 +94,25 @@ void test_failures(const Scratch_directory& scratch)
   if(fs::exists("/dev/full"))
     CHECK_THROWS(CGAL::IO::write_OFF("/dev/full", marked_rectangle()), Bad, "/dev/full: could not be written completely");
   CHECK(scratch.number_of_files() == 0);
+}
+
+// Streams that nothing gets through to tell so, by their state or, if the user wants, by an exception.
+void test_full_streams()
+{
+  struct : std::streambuf {} full; // overflows at the first character
+  const auto mesh = marked_rectangle();
+  const CGAL::Anisotropic_mesh_2::Planar_straight_line_graph_2<CGAL::Exact_predicates_exact_constructions_kernel> graph;
+  const std::vector<std::function<void(std::ostream&)>> writers = {
+    [&](std::ostream& os) { CGAL::IO::write_OFF(os, mesh); }, [&](std::ostream& os) { CGAL::IO::write_PLY(os, mesh); },
+    [&](std::ostream& os) { CGAL::IO::write_VTU(os, mesh); }, [&](std::ostream& os) { CGAL::IO::write_MEDIT(os, mesh); },
+    [&](std::ostream& os) { CGAL::IO::write_POLY(os, graph); }, [&](std::ostream& os) { CGAL::IO::write_SVG(os, mesh); }};
+  for(const auto& write : writers) {
+    std::ostream silent(&full), loud(&full);
+    write(silent);
+    CHECK(silent.bad());
+    loud.exceptions(std::ios::badbit);
+    CHECK_THROWS(write(loud), std::ios_base::failure, "");
+  }
 }
 
 void write_much_to(const std::string& name)
@@ -198,6 +224,7 @@ int main()
   test_links_and_permissions(scratch);
   test_failures(scratch);
   test_special_files(scratch);
+  test_full_streams();
   test_off(scratch);
   test_vtu(scratch);
   test_exact_kernel();

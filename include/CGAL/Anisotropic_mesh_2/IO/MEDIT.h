@@ -89,6 +89,7 @@ void write_MEDIT(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_lin
     out << (graph.triangle_references.empty() ? 0 : graph.triangle_references[i]) << '\n';
   }
   out << "\nEnd\n";
+  out.flush();
 }
 
 /// writes a graph to a file as the function that writes to a stream does.
@@ -151,6 +152,7 @@ void write_MEDIT_metric(std::ostream& os, const std::vector<Metric_tensor_2<K>>&
     out << CGAL::to_double(m.m11()) << ' ' << CGAL::to_double(m.m12()) << ' '
         << CGAL::to_double(m.m22()) << '\n';
   out << "\nEnd\n";
+  out.flush();
 }
 
 /// writes the tensors of the vertices of a triangulation, which have a member

@@ -34,6 +34,7 @@ void write_OFF(std::ostream& os, const Mesh<Parameters...>& mesh)
   Anisotropic_mesh_2::internal::Text_writer out(os);
   out << "OFF\n" << soup.points.size() << ' ' << soup.triangles.size() << " 0\n\n";
   write_elements(out, soup);
+  out.flush();
 }
 
 /// writes a mesh to a file as the function that writes to a stream does.

@@ -34,6 +34,7 @@ void write_PLY(std::ostream& os, const Mesh<Parameters...>& mesh)
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << soup.triangles.size()
       << "\nproperty list uchar int vertex_indices\nend_header\n";
   write_elements(out, soup);
+  out.flush();
 }
 
 /// writes a mesh to a file as the function that writes to a stream does.

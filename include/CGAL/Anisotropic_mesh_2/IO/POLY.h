@@ -74,6 +74,7 @@ void write_POLY(std::ostream& os, const Anisotropic_mesh_2::Planar_straight_line
   index = 0;
   for(const auto& region : graph.regions)
     write_line(region.seed) << ' ' << region.reference << '\n';
+  out.flush();
 }
 
 /// writes a graph to a file as the function that writes to a stream does.

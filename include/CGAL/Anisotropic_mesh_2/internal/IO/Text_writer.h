@@ -15,7 +15,7 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// Text in large blocks. Numbers have the fewest digits that give the same
+// Text in large blocks, the last of which `flush()` writes. Numbers have the fewest digits that give the same
 // double back, whatever the stream's precision and locale are.
 class Text_writer
 {
@@ -23,15 +23,12 @@ public:
   explicit Text_writer(std::ostream& os) : m_os(os) {}
   Text_writer(const Text_writer&) = delete;
   Text_writer& operator=(const Text_writer&) = delete;
-  ~Text_writer() { m_os << m_buffer; }
 
   Text_writer& operator<<(std::string_view s)
   {
     m_buffer += s;
-    if(m_buffer.size() > (1 << 16)) {
-      m_os << m_buffer;
-      m_buffer.clear();
-    }
+    if(m_buffer.size() > (1 << 16))
+      flush();
     return *this;
   }
 
@@ -43,6 +40,12 @@ public:
     char digits[32];
     const std::to_chars_result result = std::to_chars(digits, digits + sizeof digits, x);
     return *this << std::string_view(digits, static_cast<std::size_t>(result.ptr - digits));
+  }
+
+  void flush()
+  {
+    m_os << m_buffer;
+    m_buffer.clear();
   }
 
 private:

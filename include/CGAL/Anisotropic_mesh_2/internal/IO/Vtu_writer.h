@@ -12,7 +12,6 @@
 
 #include <CGAL/config.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -47,6 +46,7 @@ public:
     if(m_is_binary)
       m_out << "<AppendedData encoding=\"raw\">\n_" << m_appended << "\n</AppendedData>\n";
     m_out << "</VTKFile>\n";
+    m_out.flush();
   }
 
 private:

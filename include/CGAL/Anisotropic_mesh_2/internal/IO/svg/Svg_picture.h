@@ -13,7 +13,6 @@
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <locale>
@@ -260,6 +259,7 @@ private:
         at = line.front();
     }
     out << "\"/>\n";
+    out.flush();
   }
 
   bool   m_is_zoomed;
