@@ -21,7 +21,6 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace CGAL {

@@ -13,7 +13,6 @@
 #include <CGAL/Metric_tensor_2.h>
 
 #include <array>
-#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>

@@ -12,7 +12,6 @@
 #include <CGAL/Anisotropic_mesh_2/principal_curvatures_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 

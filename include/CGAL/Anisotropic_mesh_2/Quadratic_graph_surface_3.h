@@ -12,7 +12,6 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
-#include <cmath>
 
 namespace CGAL::Anisotropic_mesh_2 {
 

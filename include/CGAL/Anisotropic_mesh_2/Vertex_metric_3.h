@@ -16,7 +16,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>

@@ -13,7 +13,6 @@
 
 #include <cstddef>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {

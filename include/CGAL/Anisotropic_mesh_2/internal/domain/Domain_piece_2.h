@@ -12,7 +12,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 

@@ -17,7 +17,6 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 

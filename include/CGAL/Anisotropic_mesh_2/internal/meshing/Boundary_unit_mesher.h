@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {

@@ -13,8 +13,6 @@
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 

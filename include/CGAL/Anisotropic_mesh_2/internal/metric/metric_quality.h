@@ -11,7 +11,6 @@
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

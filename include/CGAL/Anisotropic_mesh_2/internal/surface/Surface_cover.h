@@ -13,7 +13,6 @@
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

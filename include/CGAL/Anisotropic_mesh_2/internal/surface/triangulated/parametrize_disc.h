@@ -18,7 +18,6 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/enum.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
