@@ -19,6 +19,29 @@
 
 namespace CGAL {
 
+namespace Anisotropic_mesh_2::internal {
+
+template <class NamedParameters>
+std::size_t vertex_limit(const NamedParameters& np)
+{
+  return CGAL::parameters::choose_parameter<std::size_t>
+    (CGAL::parameters::get_parameter(np, maximum_number_of_vertices_t()), 10000000);
+}
+
+// without a check of how many vertices the metric asks for
+template <class Mesh, class NamedParameters>
+std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
+{
+  const auto placement = CGAL::parameters::choose_parameter
+    (CGAL::parameters::get_parameter(np, point_placement_t()), Point_placement::ADVANCING_FRONT);
+  const std::size_t before = mesh.number_of_vertices();
+  Field_point_inserter<Mesh>(mesh, vertex_limit(np))(placement);
+  restore_connectivity(mesh);
+  return mesh.number_of_vertices() - before;
+}
+
+} // namespace Anisotropic_mesh_2::internal
+
 /// \ingroup PkgAnisotropicMesh2Functions
 ///
 /// inserts field points into the domain of a mesh until its edges have about
@@ -28,6 +51,11 @@ namespace CGAL {
 /// others; interior edges longer than \f$ \sqrt 2 \f$ are subdivided as far as
 /// that distance allows. Constrained edges stay as they are. The cost is
 /// proportional to the number of vertices, apart from the location of the first ones.
+///
+/// Faces are refined as long as they have more than twice the area of a unit triangle in the metric, too. For that the
+/// field is sampled at the barycentres of faces and at 2500 points in all, which form a lattice: places that are finer
+/// than their surroundings are found if they contain a disc of a hundredth of the domain's extent, and thin ones along
+/// lines at any rate.
 ///
 /// The distance between vertices ends the insertion. In metrics so rough that distances mean little a cap of
 /// 1000 rounds does, and edges may be left too long.
@@ -58,23 +86,13 @@ namespace CGAL {
 template <class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t refine_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   namespace internal = Anisotropic_mesh_2::internal;
-  const std::size_t limit = choose_parameter<std::size_t>
-    (get_parameter(np, internal::maximum_number_of_vertices_t()), 10000000);
-  const auto placement = choose_parameter
-    (get_parameter(np, internal::point_placement_t()), Anisotropic_mesh_2::Point_placement::ADVANCING_FRONT);
-
   std::vector<internal::Triangle_of_doubles> triangles;
   for(const auto f : mesh.faces_in_domain())
     triangles.push_back(internal::triangle_of_doubles(f));
   internal::check_ideal_number_of_vertices<typename Mesh::Point>
-    (triangles, mesh.geom_traits().construct_metric_tensor_2_object(), limit);
-  const std::size_t before = mesh.number_of_vertices();
-  internal::Field_point_inserter<Mesh>(mesh, limit)(placement);
-  internal::restore_connectivity(mesh);
-  return mesh.number_of_vertices() - before;
+    (triangles, mesh.geom_traits().construct_metric_tensor_2_object(), internal::vertex_limit(np));
+  return internal::fill_with_field_points(mesh, np);
 }
 
 } // namespace CGAL

@@ -377,7 +377,7 @@ void test_ways_to_move(const Case& c)
   std::vector<Region_moments> ignored;
   const double ratio = Facewise_energy<Mesh>(in_place, Measure::RIEMANNIAN)(ignored)
                      / Facewise_energy<Mesh>(rebuilt, Measure::RIEMANNIAN)(ignored);
-  CHECK_MSG(std::abs(ratio - 1) < 1e-3, c.name + ": energy in place over that of a rebuild " + std::to_string(ratio));
+  CHECK_MSG(std::abs(ratio - 1) < 2e-3, c.name + ": energy in place over that of a rebuild " + std::to_string(ratio));
   CHECK(in_place.is_valid() && rebuilt.is_valid());
 }
 

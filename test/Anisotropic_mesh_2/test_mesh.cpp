@@ -222,6 +222,39 @@ void test_scaling()
   }
 }
 
+// Fine places inside of coarse faces, whose edges do not show them. The bound follows from the area of the place.
+void test_fine_place(const std::string& name, const Field& field, double area_of_place, double size)
+{
+  const double ideal = 2 / std::sqrt(3.) * area_of_place / (size*size);
+  for(Point_placement placement : {Point_placement::ADVANCING_FRONT, Point_placement::EDGE_SUBDIVISION}) {
+    const Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 1), field, np::point_placement(placement));
+    CHECK_MSG(mesh.is_valid(), name);
+    CHECK_MSG(double(mesh.number_of_vertices()) > 0.8 * ideal, name + ": " + std::to_string(mesh.number_of_vertices())
+              + " vertices instead of " + std::to_string(ideal));
+  }
+}
+
+void test_fine_places()
+{
+  const auto disc = [](const Point& c, double radius, double size, double coarse) -> Field {
+    return [=](const Point& p)
+           { return Tensor::from_size(std::hypot(p.x() - c.x(), p.y() - c.y()) < radius ? size : coarse); };
+  };
+  const double pi = std::acos(-1.);
+  for(double coarse : {1., 0.1})
+    for(double radius : {0.1, 0.02})
+      for(const Point& c : {Point(0.51, 0.23), Point(0.97, 0.96)}) {
+        const double inside = c.x() + radius < 1 ? 1 : 0.5; // at least; a part of the disc may be outside
+        test_fine_place("disc of radius " + std::to_string(radius), disc(c, radius, radius/20, coarse),
+                        inside * pi*radius*radius, radius/20);
+      }
+  const Field band = [](const Point& p) { return Tensor::from_size(std::abs(p.y() - 0.523) < 0.002 ? 0.001 : 0.5); };
+  test_fine_place("band", band, 0.004, 0.001);
+  const Field ring = [](const Point& p)
+    { return Tensor::from_size(std::abs(std::hypot(p.x() - 0.5, p.y() - 0.5) - 0.3) < 0.01 ? 0.003 : 0.4); };
+  test_fine_place("ring", ring, 2*pi*0.3*0.02, 0.003);
+}
+
 int main()
 {
   for(const Case& c : paper_cases()) {
@@ -236,6 +269,7 @@ int main()
   test_gates(gated[0], 0.50, 1.6, 0.999, 0.717);
   test_gates(gated[1], 0.50, 1.6, 0.996, 0.759);
   test_gates(gated[2], 0.20, 3.0, 0.996, 0.577);
+  test_fine_places();
   test_domain_with_everything();
   test_clustered_start();
   test_refusals();

@@ -9,10 +9,13 @@
 
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Edge_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Uncovered_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/unit_apex.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
+#include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -44,16 +47,38 @@ public:
   {}
 
   // With ADVANCING_FRONT, points come from the fronts as long as these advance;
-  // what stays too long afterwards is subdivided.
+  // what stays too long afterwards is subdivided. Where faces still have too much
+  // area in the metric, new fronts begin.
   void operator()(Point_placement placement)
   {
     if(placement == Point_placement::ADVANCING_FRONT)
-      repeat_rounds(front_edges(), [this](const Vertex_pair& e) { advance(e.first, e.second); });
-    repeat_rounds(interior_edges(), [this](const Vertex_pair& e) { subdivide(e.first, e.second); });
+      advance_fronts(front_edges());
+    subdivide_edges(interior_edges());
+    Uncovered_area<Mesh> uncovered(m_mesh);
+    for(int round = 0; round < maximum_number_of_rounds; ++round) {
+      const std::size_t first = m_new_vertices.size();
+      for(const Point& p : uncovered.places())
+        begin_front(p);
+      if(m_new_vertices.size() == first)
+        return;
+      advance_fronts(edges_of_new_vertices(first));
+      subdivide_edges(edges_of_new_vertices(first));
+      uncovered.add_faces_of({m_new_vertices.begin() + std::ptrdiff_t(first), m_new_vertices.end()});
+    }
   }
 
 private:
   static constexpr int maximum_number_of_rounds = 1000;
+
+  void advance_fronts(std::vector<Vertex_pair> edges)
+  {
+    repeat_rounds(std::move(edges), [this](const Vertex_pair& e) { advance(e.first, e.second); });
+  }
+
+  void subdivide_edges(std::vector<Vertex_pair> edges)
+  {
+    repeat_rounds(std::move(edges), [this](const Vertex_pair& e) { subdivide(e.first, e.second); });
+  }
 
   // Each round looks at the edges that the last one created. Accepted points
   // keep a distance in the metric, which ends the rounds; the bound is for
@@ -62,11 +87,21 @@ private:
   void repeat_rounds(std::vector<Vertex_pair> edges, const Treat& treat)
   {
     for(int round = 0; round < maximum_number_of_rounds && !edges.empty(); ++round) {
-      m_new_vertices.clear();
+      const std::size_t first = m_new_vertices.size();
       for(const Vertex_pair& e : edges)
         treat(e);
-      edges = edges_of_new_vertices();
+      edges = edges_of_new_vertices(first);
     }
+  }
+
+  // A front begins with an edge of unit length along the longer axis of the metric.
+  void begin_front(const Point& p)
+  {
+    Face_handle hint;
+    try_to_insert(p, hint);
+    const auto sizes = m_tensor(p).sizes();
+    const double x = CGAL::to_double(p.x()), y = CGAL::to_double(p.y());
+    try_to_insert(point_at<Point>(x - std::sin(sizes.angle) * sizes.h2, y + std::cos(sizes.angle) * sizes.h2), hint);
   }
 
   // Points at unit distance from both ends of an edge, on both its sides.
@@ -163,10 +198,11 @@ private:
     return edges;
   }
 
-  std::vector<Vertex_pair> edges_of_new_vertices() const
+  std::vector<Vertex_pair> edges_of_new_vertices(std::size_t first) const
   {
     std::vector<Vertex_pair> edges;
-    for(Vertex_handle v : m_new_vertices) {
+    for(std::size_t i = first; i < m_new_vertices.size(); ++i) {
+      const Vertex_handle v = m_new_vertices[i];
       auto w = m_mesh.incident_vertices(v), done(w);
       do {
         // an edge between two new vertices is taken once

@@ -50,7 +50,7 @@ void check_ideal_number_of_vertices(const std::vector<Triangle_of_doubles>& tria
 {
   const auto triangle_at = [&](std::size_t k) -> const Triangle_of_doubles& { return triangles[k]; };
   const double ideal = ideal_number_of_vertices
-    (metric_area<Sequential_tag, Point>(triangles.size(), triangle_at, tensor, 0.5, 0.05, 100000));
+    (metric_area<Sequential_tag, Point>(triangles.size(), triangle_at, tensor, 0.5, 0.2, 2000));
   if(ideal > 1.5 * double(limit)) // an estimate must not refuse what just fits
     throw Too_many_vertices_exception(ideal, limit);
 }
