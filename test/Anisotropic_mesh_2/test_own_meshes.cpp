@@ -20,6 +20,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,34 @@ void test_required_vertices()
   CHECK(start.is_fixed(v) && start.empty_mesh().insert(Point_2(0.3, 0.1))->index() == v->index());
 }
 
+// fails after some vertices that it requires
+struct Failing_map
+{
+  typedef Mesh::Vertex_handle                    key_type;
+  typedef bool                                   value_type, reference;
+  typedef boost::readable_property_map_tag       category;
+
+  int* calls;
+
+  friend bool get(const Failing_map& map, Mesh::Vertex_handle)
+  {
+    if(++*map.calls > 5)
+      throw std::runtime_error("no value here");
+    return true;
+  }
+};
+
+void test_failing_map()
+{
+  Mesh mesh = CGAL::make_anisotropic_mesh_2<Mesh>(square(), Traits(Field()));
+  int calls = 0;
+  const auto np = CGAL::parameters::vertex_is_constrained_map(Failing_map{&calls});
+  CHECK_THROWS(CGAL::Anisotropic_mesh_2::internal::Required_for_now<Mesh>(mesh, np), std::runtime_error, "no value here");
+  CHECK(calls == 6);
+  for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+    CHECK(!v->is_required());
+}
+
 void test_ranges()
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2<Mesh>(square(), Traits(Field()));
@@ -206,6 +235,7 @@ int main()
   test_own_vertex_base();
   test_triangulation_of_cgal();
   test_required_vertices();
+  test_failing_map();
   test_ranges();
   return finish();
 }

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <iostream>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -698,6 +699,68 @@ void test_moves_taken_back()
   CHECK(std::count_if(old.begin(), old.end(), [&](const Fine_point& p) { return now.count(p) > 0; }) == 3);
 }
 
+// Always asks for a flip, as rounding errors might, but not endlessly.
+struct Flipping_traits
+  : public Traits<Double_kernel>
+{
+  struct Side_of_metric_circle_2
+  {
+    int* calls;
+
+    template <class... Arguments>
+    CGAL::Oriented_side operator()(const Arguments&...) const
+    {
+      if(++*calls > 100000)
+        throw std::runtime_error("flips without end");
+      return CGAL::ON_POSITIVE_SIDE;
+    }
+  };
+
+  explicit Flipping_traits(int* calls)
+    : Traits<Double_kernel>([](const Double_kernel::Point_2&) {
+        return CGAL::Metric_tensor_2<Double_kernel>::from_size(1);
+      }), m_calls(calls)
+  {}
+
+  Side_of_metric_circle_2 side_of_metric_circle_2_object() const { return {m_calls}; }
+
+private:
+  int* m_calls;
+};
+
+// Even in a constant metric flips have a bound where the criterion is not decided exactly.
+void test_endless_flips()
+{
+  typedef Double_kernel::Point_2 P;
+  int calls = 0;
+  CGAL::Constrained_anisotropic_Delaunay_triangulation_2<Flipping_traits> t{Flipping_traits(&calls)};
+  Random_numbers random(5);
+  for(int i = 0; i < 30; ++i) {
+    const double x = random.real(0, 1);
+    t.insert(P(x, random.real(0, 1)));
+  }
+  calls = 0;
+  const auto flips = t.restore_local_criterion({t.finite_edges_begin(), t.finite_edges_end()});
+  CHECK_MSG(flips > 1000 && t.is_valid(true), std::to_string(flips));
+}
+
+// The vertices of an empty mesh are those of its edges, each edge from its source to its target, in the order in which
+// the edges come, with every compiler.
+void test_order_of_empty_meshes()
+{
+  Mesh mesh = two_halves();
+  mesh.insert(Point(4, 3));
+  const Mesh empty = mesh.empty_mesh();
+  std::vector<int> expected, found;
+  for(const Mesh::Edge& e : mesh.constrained_edges())
+    for(int i : {Mesh::ccw(e.second), Mesh::cw(e.second)})
+      if(std::find(expected.begin(), expected.end(), e.first->vertex(i)->index()) == expected.end())
+        expected.push_back(e.first->vertex(i)->index());
+  for(Mesh::Vertex_handle v : empty.finite_vertex_handles())
+    found.push_back(v->index());
+  CHECK(expected.size() == 7 && found == expected);
+}
+
 // A field of size 1, and an orientation that sees no triangle of some points, as if rounding errors hid it.
 struct Blind_traits
   : public Traits<Double_kernel>
@@ -874,6 +937,8 @@ int main()
   test_moves_taken_back<Epeck>();
   test_moves_taken_back<Rational_kernel>();
   test_failing_move_onto_constraint();
+  test_endless_flips();
+  test_order_of_empty_meshes();
   test_freed_edges_of_holes(stretched.field<Epick>());
   test_freed_edges_of_holes(field_of<Epick>(rotating));
   test_levels_of_validity();

@@ -11,10 +11,15 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 typedef Diagram::Duality::Pair Pair;
+
+static_assert(std::is_constructible<Diagram, const Mesh&>::value && std::is_constructible<Diagram, Mesh&>::value
+              && !std::is_constructible<Diagram, Mesh>::value && !std::is_constructible<Diagram, const Mesh>::value,
+              "a temporary mesh does not outlive its diagram");
 
 const Point centre(0, 0);
 

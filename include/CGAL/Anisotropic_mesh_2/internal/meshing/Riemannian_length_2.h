@@ -303,12 +303,6 @@ private:
   double             m_total = 0, m_error = 0, m_lower_bound = 0;
 };
 
-template <class K, class Field>
-double riemannian_length(const Curve_piece_2<K>& piece, const Field& field)
-{
-  return Riemannian_length_2<K, Field>(piece, field).total();
-}
-
 } // namespace CGAL::Anisotropic_mesh_2::internal
 
 #endif // CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESHING_RIEMANNIAN_LENGTH_2_H
