@@ -69,7 +69,7 @@ void declare_metric(CLI::App& app, Raw_options& raw, double& scale)
   };
   option("--h1", "E", "size along theta, a formula in x and y");
   option("--h2", "E", "size across theta");
-  option("--theta", "E", "angle of the direction of h1, in radians; default 0");
+  option("--theta", "E", "the direction of the size h1, in radians; default 0");
   option("--m11", "E", "first entry of the metric tensor");
   option("--m12", "E", "second entry; default 0");
   option("--m22", "E", "third entry");

@@ -25,9 +25,8 @@ namespace CGAL {
 /// A symmetric positive definite matrix by which lengths are measured at
 /// a point of the plane (section 2.2 of \cgalCite{dw-acvt-05}).
 ///
-/// The vectors of length 1 form an ellipse. Its two half axes are the *sizes*
-/// `h1` and `h2`, and the angle \f$ \theta \f$ turns the first axis of coordinates
-/// onto the axis of `h1`:
+/// The vectors of length 1 form an ellipse. Its two half axes are the *sizes* `h1`, along
+/// the direction \f$ (\cos \theta, \sin \theta) \f$, and `h2`, across it:
 /// \f$ M = R^T \mathrm{diag}(h_1^{-2}, h_2^{-2}) R \f$ with the rotation \f$ R \f$ by \f$ -\theta \f$.
 ///
 /// No invalid tensor can be built: every way to build one from numbers throws
@@ -47,12 +46,12 @@ public:
   typedef typename K::FT         FT;       ///< the type of the entries
   typedef typename K::Vector_2   Vector_2; ///< a vector of the plane
 
-  /// the half axes of the unit ellipse, and the direction of the first.
+  /// the half axes of the unit ellipse, and the direction \f$ \theta \f$ of the first.
   struct Sizes
   {
-    double h1;    ///< the smaller size
-    double h2;    ///< the larger size
-    double angle; ///< the direction of `h1`, in radians
+    double h1;    ///< the size along \f$ \theta \f$, the smaller one
+    double h2;    ///< the size across \f$ \theta \f$, the larger one
+    double angle; ///< \f$ \theta \f$, in radians
   };
 
   /// \name Creation
@@ -80,10 +79,9 @@ public:
     return m;
   }
 
-  /// the tensor whose unit ellipse has the half axis `h1` in the direction
-  /// `(cos angle, sin angle)` and the half axis `h2` across it.
+  /// the tensor of the size `h1` along \f$ \theta \f$ and the size `h2` across it.
   /// \param h1,h2 the sizes, in units of the coordinates
-  /// \param angle in radians
+  /// \param angle \f$ \theta \f$, in radians
   /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if a size is not positive or not
   /// finite, if the angle is not finite, or if the entries overflow.
   static Metric_tensor_2 from_sizes(const FT& h1, const FT& h2, double angle = 0)

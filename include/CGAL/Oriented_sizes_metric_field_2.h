@@ -24,8 +24,8 @@ namespace CGAL {
 /// \tparam K a model of `Kernel`
 /// \tparam Sizes a functor that takes a `K::Point_2` and returns three numbers
 /// that structured bindings can take apart, such as a `std::array<double, 3>`,
-/// a tuple, or a structure with three members: the size `h1`, the size `h2`, and the
-/// angle of the direction of `h1` in radians. It must be copyable and callable
+/// a tuple, or a structure with three members: the size `h1` along
+/// \f$ \theta \f$, the size `h2` across it, and \f$ \theta \f$ in radians. It must be copyable and callable
 /// from several threads.
 /// \cgalModels{MetricField_2}
 /// \sa `make_oriented_sizes_metric_field_2()`

@@ -31,7 +31,7 @@ struct Quality_improvement
   std::size_t trials = 0;       ///< the number of faces whose surroundings were examined
   std::size_t improvements = 0; ///< how many of the trials have changed the mesh
 
-  /// returns why it stopped, in words.
+  /// returns why it stopped, in words; `not run` if it was not called.
   const char* reason() const { return internal::reason_to_stop(return_code); }
 
   /// writes all that on one line, without its end.

@@ -58,7 +58,7 @@ Mesh make_anisotropic_mesh_2(const Anisotropic_mesh_domain_2<K>& domain, const t
 /// generates a unit mesh of a planar domain under a metric field (section 3.2
 /// of \cgalCite{dw-acvt-05}).
 ///
-/// The curves of the boundary and the inner constraints are divided into parts
+/// The curves of the boundary and the inner curves are divided into parts
 /// of equal Riemannian length close to 1, their end points kept. Of these edges
 /// the empty mesh is built, and `refine_anisotropic_mesh_2()` fills it.
 /// The result is what `optimize_anisotropic_mesh_2()` starts from.

@@ -453,7 +453,7 @@ void test_marks_of_meshes()
 {
   Mesh mesh = two_halves();
   CHECK(has_its_halves(mesh) && references(mesh) == (std::multiset<int>{7, 10, 11, 12, 13, 14, 15}));
-  mesh.insert(Point(4, 3)); // on the inner constraint
+  mesh.insert(Point(4, 3)); // on the inner curve
   mesh.insert(Point(8, 5)); // on the boundary
   CHECK(has_its_halves(mesh) && mesh.is_valid(true, 1));
   CHECK(references(mesh) == (std::multiset<int>{7, 7, 10, 11, 12, 12, 13, 14, 15}));

@@ -155,7 +155,7 @@ void test_small_mesh()
   CHECK(picture.contains("viewBox=\"0 0 800 638\"")); // 3/4 of 768, margins, caption
   CHECK(picture.contains("<title>Mesh</title>"));
   CHECK(picture.contains("5 vertices, 4 triangles"));
-  CHECK(picture.contains("inner constraints"));
+  CHECK(picture.contains("inner curves"));
   CHECK(picture.segments("#14202b") == 4); // the boundary
   CHECK(picture.segments("#c2491d") == 1); // the diagonal
   CHECK(picture.segments("#33475b") == 3); // the other edges
@@ -222,7 +222,7 @@ void test_references()
     }
   };
   const Picture picture(drawn(Strip(cdt)));
-  CHECK(picture.contains("references of edges") && !picture.contains("inner constraints"));
+  CHECK(picture.contains("references of edges") && !picture.contains("inner curves"));
   CHECK(picture.segments("#14202b") == 0 && picture.segments("#c2491d") == 0);
   std::set<std::string> colors;
   for(const auto& p : picture.paths())

@@ -22,7 +22,7 @@ typedef CGAL::Triangulation_data_structure_2<
 typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel, Marked_tds> Marked_cdt;
 
 // A triangulation of CGAL with nothing but marked faces: a rectangle [0,4]x[0,3]
-// with an inner constraint, in a larger convex hull.
+// with an inner curve, in a larger convex hull.
 inline Marked_cdt marked_rectangle(int number_of_inner_points = 1)
 {
   Marked_cdt cdt;

@@ -39,7 +39,7 @@ namespace IO {
 ///
 /// Subdomains are softly filled, in different colors where they touch. The width of the edges follows the size of
 /// the triangles around them, so that graded and very anisotropic meshes stay
-/// readable; the boundary and inner constraints are thick, and have colors by their references if these differ,
+/// readable; the boundary and inner curves are thick, and have colors by their references if these differ,
 /// which are not the same for references that meet at a vertex.
 ///
 /// \tparam Tr a constrained triangulation of \cgal whose faces have a member

@@ -119,7 +119,7 @@ private:
   }
 
   // Subdomains get colors if there are several, edges if references differ along the boundary or among the inner
-  // constraints.
+  // curves.
   void choose_colors()
   {
     std::map<bool, int> first; // reference of an inner edge and of an edge of the boundary
@@ -234,7 +234,7 @@ private:
       text += room_left == 0 ? " ..." : "";
     } else if(std::any_of(m_edges.begin(), m_edges.end(),
                           [](const Edge& e) { return e.triangles > 1 && e.is_constrained; }))
-      text += ", " + colored(constraint_color, "inner constraints");
+      text += ", " + colored(constraint_color, "inner curves");
     return text;
   }
 
