@@ -3,6 +3,7 @@
 #include "check.h"
 #include "meshes.h"
 
+#include <CGAL/Discrete_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Random.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
@@ -255,6 +256,33 @@ void test_fine_places()
   test_fine_place("ring", ring, 2*pi*0.3*0.02, 0.003);
 }
 
+// One wild tensor among 625 of size 0.1 is thinner than any element: the mesh is about that without it.
+void test_wild_tensor()
+{
+  const int n = 24;
+  CGAL::Discrete_metric_field_2<K>::Background background;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+      background.points.push_back(Point(double(i) / n, double(j) / n));
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < n; ++i) {
+      const std::size_t a = j*(n + 1) + i, b = a + n + 1;
+      background.triangles.push_back({a, a + 1, b + 1});
+      background.triangles.push_back({a, b + 1, b});
+    }
+  for(const Tensor& wild : {Tensor::from_sizes(1e-3, 0.1), Tensor::from_sizes(1e-6, 0.1), Tensor::from_sizes(1e-4, 10),
+                            Tensor::from_sizes(1e-6, 10)}) {
+    std::vector<Tensor> tensors(background.points.size(), Tensor::from_size(0.1));
+    tensors[13*(n + 1) + 11] = wild;
+    const Mesh mesh = CGAL::make_anisotropic_mesh_2<Mesh>(box(0, 1), Mesh::Geom_traits(
+      Field(CGAL::Discrete_metric_field_2<K>(background, tensors))));
+    CHECK(mesh.is_valid());
+    const double ideal = 2 / std::sqrt(3.) * 100; // without the wild one
+    CHECK_MSG(mesh.number_of_vertices() > ideal && mesh.number_of_vertices() < 1.3 * ideal + 20 /* on the boundary */,
+              std::to_string(mesh.number_of_vertices()));
+  }
+}
+
 int main()
 {
   for(const Case& c : paper_cases()) {
@@ -270,6 +298,7 @@ int main()
   test_gates(gated[1], 0.50, 1.6, 0.996, 0.759);
   test_gates(gated[2], 0.20, 3.0, 0.996, 0.577);
   test_fine_places();
+  test_wild_tensor();
   test_domain_with_everything();
   test_clustered_start();
   test_refusals();

@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Edge_subdivision.h>
+#include <CGAL/Anisotropic_mesh_2/internal/meshing/Field_point_filter.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Uncovered_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/unit_apex.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
@@ -43,7 +44,7 @@ class Field_point_inserter
 public:
   Field_point_inserter(Mesh& mesh, std::size_t maximum_number_of_vertices)
     : m_mesh(mesh), m_limit(maximum_number_of_vertices),
-      m_tensor(mesh.geom_traits().construct_metric_tensor_2_object())
+      m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()), m_filter(mesh)
   {}
 
   // With ADVANCING_FRONT, points come from the fronts as long as these advance;
@@ -153,27 +154,13 @@ private:
     m_cavity.faces.clear();
     m_cavity.boundary.clear();
     m_mesh.find_cavity(p, m, lt, f, li, m_cavity);
-    if(!keeps_distance(p, m))
+    if(!m_filter(p, m, m_cavity))
       return;
     if(m_mesh.number_of_vertices() >= m_limit)
       throw Too_many_vertices_exception(double(m_limit) + 1, m_limit);
     const Vertex_handle v = m_mesh.insert_in_cavity(p, m, m_cavity);
     m_new_vertices.push_back(v);
     hint = v->face();
-  }
-
-  bool keeps_distance(const Point& p, const Metric_tensor& m) const
-  {
-    for(const Edge& e : m_cavity.boundary)
-      if(distance(p, m, e.first->vertex(Mesh::ccw(e.second))) < minimum_distance)
-        return false;
-    return true;
-  }
-
-  static double distance(const Point& p, const Metric_tensor& m, Vertex_handle v)
-  {
-    const double x = CGAL::to_double(v->point().x() - p.x()), y = CGAL::to_double(v->point().y() - p.y());
-    return (Symmetric_form(m).length(x, y) + Symmetric_form(v->metric_tensor()).length(x, y)) / 2;
   }
 
   // the constrained edges
@@ -213,11 +200,10 @@ private:
     return edges;
   }
 
-  static constexpr double minimum_distance = 0.70710678118654752; // the paper's sqrt(2)/2
-
   Mesh& m_mesh;
   const std::size_t m_limit;
   const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
+  const Field_point_filter<Mesh> m_filter;
   Edge_subdivision<Point> m_subdivision;
   typename Mesh::Cavity m_cavity;
   std::vector<Vertex_handle> m_new_vertices;
