@@ -51,6 +51,15 @@ void test_round_trip(const std::string& data, const Scratch_directory& scratch)
   CHECK(CGAL::IO::read_POLY<Kernel>(scratch / "split_again.poly").points.size() == 3);
 }
 
+void test_missing_markers(const Scratch_directory& scratch)
+{
+  const std::string name = scratch.file("plain.poly", "3 2 0\n1 0 0\n2 1 0\n3 0 1\n3\n1 1 2\n2 2 3\n3 3 1\n0\n");
+  const Graph plain = CGAL::IO::read_POLY<Kernel>(name);
+  CHECK(plain.point_references == std::vector<int>({0, 0, 0}) && plain.edges.size() == 3);
+  for(const auto& e : plain.edges)
+    CHECK(e.reference == 1);
+}
+
 void test_malformed_files(const Scratch_directory& scratch)
 {
   const std::string vertices = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n";
@@ -134,6 +143,7 @@ int main(int argc, char* argv[])
   const Scratch_directory scratch;
   test_reading(data);
   test_round_trip(data, scratch);
+  test_missing_markers(scratch);
   test_malformed_files(scratch);
   test_node_files(scratch);
   test_truncated_files(data, scratch);

@@ -699,6 +699,54 @@ void test_moves_taken_back()
   CHECK(std::count_if(old.begin(), old.end(), [&](const Fine_point& p) { return now.count(p) > 0; }) == 3);
 }
 
+// By how much a tensor exceeds another one at most.
+double greatest_ratio(const Tensor& m, const Tensor& n)
+{
+  const double trace = (m.m11()*n.m22() + m.m22()*n.m11() - 2*m.m12()*n.m12()) / n.determinant();
+  const double det = m.determinant() / n.determinant();
+  return (trace + std::sqrt((std::max)(0., trace*trace - 4*det))) / 2;
+}
+
+// The flips that restore the connectivity of a mesh leave no edge, between vertices of very different tensors, whose
+// flip would raise the lower quality of its two faces.
+void test_rough_edges(const Plain_field& field)
+{
+  Mesh mesh{Traits<Epick>(field_of<Epick>(field))};
+  Mesh::Boundary_graph square;
+  square.points = {Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)};
+  for(std::size_t i = 0; i < 4; ++i)
+    square.segments.push_back({i, (i + 1) % 4, 1, true});
+  mesh.insert_boundary(square);
+  Random_numbers random(6);
+  for(int i = 0; i < 300; ++i) {
+    const double x = random.real(0.01, 0.99);
+    mesh.insert(Point(x, random.real(0.01, 0.99)));
+  }
+  CGAL::Anisotropic_mesh_2::internal::restore_connectivity(mesh);
+  CHECK(mesh.is_valid(true, 1));
+  const auto quality = [&](const Point& a, const Point& b, const Point& c) {
+    const Point g = CGAL::centroid(a, b, c);
+    const Tensor m = field(g.x(), g.y());
+    const double squares = m.squared_length(b - a) + m.squared_length(c - b) + m.squared_length(a - c);
+    return 4 * std::sqrt(3 * m.determinant()) * CGAL::area(a, b, c) / squares;
+  };
+  int rough = 0;
+  for(const Mesh::Edge& e : mesh.edges_in_domain()) {
+    if(!mesh.is_flippable(e.first, e.second))
+      continue;
+    const Mesh::Edge mirror = mesh.mirror_edge(e);
+    const auto v = e.first->vertex(e.second), w = mirror.first->vertex(mirror.second);
+    if((std::max)(greatest_ratio(v->metric_tensor(), w->metric_tensor()),
+                  greatest_ratio(w->metric_tensor(), v->metric_tensor())) < 100)
+      continue;
+    ++rough;
+    const Point &p = v->point(), &q = w->point(), &r = e.first->vertex(Mesh::ccw(e.second))->point(),
+                &s = e.first->vertex(Mesh::cw(e.second))->point();
+    CHECK((std::min)(quality(p, r, q), quality(q, s, p)) < (std::min)(quality(p, r, s), quality(q, s, r)) + 1e-6);
+  }
+  CHECK_MSG(rough > 50, std::to_string(rough));
+}
+
 // Always asks for a flip, as rounding errors might, but not endlessly.
 struct Flipping_traits
   : public Traits<Double_kernel>
@@ -938,6 +986,8 @@ int main()
   test_moves_taken_back<Rational_kernel>();
   test_failing_move_onto_constraint();
   test_endless_flips();
+  test_rough_edges(chaotic);
+  test_rough_edges(rotating_fast);
   test_order_of_empty_meshes();
   test_freed_edges_of_holes(stretched.field<Epick>());
   test_freed_edges_of_holes(field_of<Epick>(rotating));

@@ -125,6 +125,29 @@ void test_regions_of_distances_at_generators(const Named_field& f, int n, double
   check_regions(circles, constant_field(1, 0, 1), tolerance, f.name + ", weighted");
 }
 
+// A generator whose region is a needle that enters the faces beyond a constraint between all places where these are
+// divided at first. Its area is that of the cells of a fine grid that are nearest to it.
+void test_needle()
+{
+  const Point thin(0.5, -0.3);
+  const Field field = [&](const Point& p) { return p == thin ? Tensor::from_sizes(0.05, 5) : Tensor::from_size(1); };
+  Polygon boundary = square();
+  boundary.insert(boundary.begin() + 2, Point(1, 0));
+  boundary.push_back(Point(-1, 0));
+  Mesh mesh = mesh_of(boundary, {thin}, field);
+  mesh.insert_constraint(mesh.insert(Point(-1, 0)), mesh.insert(Point(1, 0)));
+  mesh.mark_domain();
+  const CGAL::Anisotropic_Voronoi_diagram_2<Mesh, Labelle_Shewchuk> diagram(mesh, Labelle_Shewchuk(), 1e-3);
+  const std::size_t needle = index_of(diagram, thin);
+  const int n = 500;
+  double area = 0;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      area += 4. / (n*n) * (nearest_of_all(diagram, Point((2*i + 1.) / n - 1, (2*j + 1.) / n - 1)) == needle);
+  CHECK_MSG(area > 0.05 && std::abs(diagram.region(needle).area - area) < 0.02 * area,
+            std::to_string(diagram.region(needle).area) + " instead of " + std::to_string(area));
+}
+
 // ---------------------------------------------------------------- pieces
 
 // The connected parts of regions on a grid of n x n cells: their generators, with the numbers of cells.
@@ -259,6 +282,7 @@ int main()
 {
   const Named_field turns = {"turning", turning}, thin = {"figure 2.2", thin_in_the_middle}, layer = {"layer", layer_field};
   test_ties();
+  test_needle();
   for(int n : {5, 60}) {
     test_nearest_generator(turns, n);
     test_nearest_generator(layer, n);
