@@ -136,6 +136,23 @@ void test_inner_curves()
   CHECK_THROWS(crossing.validate(), Bad, "cross or overlap near (0.5, 0.5)");
 }
 
+// An inner curve between the boundary and a chord of it, where first approximations have no place for it: inside.
+void test_curve_beyond_chords()
+{
+  for(double r : {0.998, 1.001}) {
+    Domain domain;
+    domain.add_circle(Point(0, 0), 1);
+    Points line;
+    for(double angle : {pi/32 - 0.02, pi/32 + 0.02})
+      line.push_back(Point(r * std::cos(angle), r * std::sin(angle)));
+    domain.add_polyline(line);
+    if(r < 1)
+      CHECK(is_valid(domain));
+    else
+      CHECK_THROWS(domain.validate(), Bad, "lies outside the domain");
+  }
+}
+
 void test_coinciding_pieces()
 {
   Domain domain = polygon(square(1));
@@ -281,6 +298,7 @@ int main()
   test_accepted();
   test_scales();
   test_inner_curves();
+  test_curve_beyond_chords();
   test_coinciding_pieces();
   test_polygons_of_cgal();
   test_bad_boundaries();

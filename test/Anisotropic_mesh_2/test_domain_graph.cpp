@@ -37,6 +37,9 @@ void test_graphs()
   Graph linked = annulus;   // a cut from the outer loop to the hole
   linked.edges.push_back({0, 4, 1});
   CHECK(count(Domain(linked), Role::BOUNDARY) == 8 && count(Domain(linked), Role::CONSTRAINT) == 2);
+  linked.edges.push_back({4, 0, 1}); // and back
+  CHECK(is_valid(Domain(linked)));
+  CHECK(count(Domain(linked), Role::BOUNDARY) == 8 && count(Domain(linked), Role::CONSTRAINT) == 2);
   Graph divided = annulus;  // two cuts: one component with odd vertices
   divided.edges.push_back({0, 4, 1});
   divided.edges.push_back({1, 5, 1});
