@@ -139,11 +139,11 @@ void test_inner_curves()
 // An inner curve between the boundary and a chord of it, where first approximations have no place for it: inside.
 void test_curve_beyond_chords()
 {
-  for(double r : {0.998, 1.001}) {
+  for(double r : {0.9995, 1.0005}) {
     Domain domain;
     domain.add_circle(Point(0, 0), 1);
     Points line;
-    for(double angle : {pi/32 - 0.02, pi/32 + 0.02})
+    for(double angle : {pi/64 - 0.01, pi/64 + 0.01})
       line.push_back(Point(r * std::cos(angle), r * std::sin(angle)));
     domain.add_polyline(line);
     if(r < 1)
