@@ -17,6 +17,7 @@
 #include <CGAL/Hessian_metric_field_2.h>
 #include <CGAL/Isotropic_metric_field_2.h>
 #include <CGAL/Random.h>
+#include <CGAL/Riemannian_metric_traits_2.h>
 
 #include <algorithm>
 #include <array>
@@ -321,9 +322,23 @@ void test_threads()
   CHECK(differences == 0);
 }
 
+// Lengths of segments in closed form, along which sizes vary by a factor of 20 000 or not at all.
+void test_lengths_of_segments()
+{
+  const CGAL::Riemannian_metric_traits_2<Kernel> traits([](const Point& p) {
+    return Tensor::from_size(std::exp(-10 * p.x()));
+  });
+  const auto length = traits.compute_riemannian_length_2_object();
+  const double expected = (std::exp(10.) - 1) / 10;
+  CHECK(std::abs(length(Point(0, 3), Point(1, 3)) - expected) < 1e-6 * expected);
+  CHECK(std::abs(length(Point(1, 1), Point(0, 0)) - std::sqrt(2.) * expected) < 1e-6 * expected);
+  CHECK(std::abs(length(Point(0.5, 0), Point(0.5, 2)) - 2 * std::exp(5.)) < 1e-10);
+}
+
 int main()
 {
   test_callables();
+  test_lengths_of_segments();
   test_gradient_field();
   test_hessian_field();
   test_bounds_of_hessian_field();

@@ -8,6 +8,8 @@
 
 #include "include/check.h"
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/difference_of_products.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Isotropic_metric_field_2.h>
@@ -150,8 +152,19 @@ void test_refusals_at_points()
   CHECK(message.find(" at ") == message.rfind(" at "));
 }
 
+// What tensors rest on: products that nearly cancel, and numbers in messages, which read back as the same.
+void test_numbers()
+{
+  using namespace CGAL::Anisotropic_mesh_2::internal;
+  const double tiny = std::ldexp(1., -30);
+  CHECK(difference_of_products(1 + tiny, 1 - tiny, 1., 1.) == -tiny * tiny);
+  CHECK(difference_of_products(3., 5., 2., 4.) == 7);
+  CHECK(describe(0.1) == "0.1" && describe(0.1 + 0.2) == "0.30000000000000004" && describe(1e22) == "1e+22");
+}
+
 int main()
 {
+  test_numbers();
   test_against_eigen();
   test_measuring();
   test_large_ratios();

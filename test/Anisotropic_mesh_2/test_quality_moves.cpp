@@ -499,6 +499,41 @@ Mesh polygon_mesh(const std::vector<Point>& points, const Field& field)
   return mesh;
 }
 
+// Shapes that are better on the whole are refused where the least quality falls. All edges are out of the unit band.
+void test_least_quality()
+{
+  Random_numbers random(12);
+  const auto least_quality = [](const Patch& patch) {
+    double least = 1;
+    patch.for_each_face([&](Patch::Face_handle f) { least = (std::min)(least, f->info().quality); });
+    return least;
+  };
+  int cases = 0;
+  for(int trial = 0; trial < 60; ++trial) {
+    std::vector<Point> ring;
+    for(int k = 0; k < 7; ++k) {
+      const double angle = (k + random.real(-0.4, 0.4)) * 2 * CGAL_PI / 7;
+      ring.push_back(Point(std::cos(angle), std::sin(angle)));
+    }
+    Mesh mesh = polygon_mesh(ring, [](const Point&) { return Tensor::from_size(0.01); });
+    const Patch patch(mesh, star_of(mesh, mesh.insert(Point(0, 0))));
+    for(int k = 0; k < 30; ++k) {
+      Patch start = patch, other = patch;
+      for(Patch* p : {&start, &other}) {
+        const double x = random.real(-0.5, 0.5);
+        move_center(*p, Point(x, random.real(-0.5, 0.5)));
+      }
+      Quality_acceptance<Patch> accept(start, 0.88);
+      if(least_quality(other) > 0 && least_quality(other) < (std::min)(0.88, least_quality(start))
+         && accept.cost(other) < accept.cost_limit()) {
+        ++cases;
+        CHECK(!accept(other));
+      }
+    }
+  }
+  CHECK_MSG(cases > 5, std::to_string(cases));
+}
+
 // No move takes an edge out of the unit band: at its best place the vertex would have two that are 1.45 long.
 void test_band_of_moves()
 {
@@ -694,6 +729,7 @@ int main()
   test_write_to_mesh();
   test_border_of_patch();
   test_unit_band();
+  test_least_quality();
   test_band_of_moves();
   test_band_of_swaps();
   test_rough_edges();

@@ -613,8 +613,10 @@ void test_second_boundary()
     hole.segments.push_back({i, (i + 1) % 4, 2, true});
   mesh.insert_boundary(hole);
   CHECK(area_of_domain(mesh) == 60 && references(mesh).count(2) == 4);
+  for(auto& s : hole.segments)
+    s.reference = 9; // edges keep the one that they have
   mesh.insert_boundary(hole);
-  CHECK(area_of_domain(mesh) == 64 && references(mesh).count(2) == 4);
+  CHECK(area_of_domain(mesh) == 64 && references(mesh).count(2) == 4 && references(mesh).count(9) == 0);
 }
 
 // A hole near the boundary of a square, of which an edge is freed, so that flips mix faces of both its sides, also
