@@ -136,6 +136,18 @@ void test_inner_curves()
   CHECK_THROWS(crossing.validate(), Bad, "cross or overlap near (0.5, 0.5)");
 }
 
+// Inner curves that end anywhere on a circle, also where that is farthest out in the direction of some box around it.
+void test_ends_on_circle()
+{
+  for(int k = 0; k < 400; ++k) {
+    Domain domain;
+    domain.add_circle(Point(0, 0), 1);
+    const double angle = 2 * pi * (k + 0.37) / 400;
+    domain.add_polyline(Points{Point(0, 0), Point(std::cos(angle), std::sin(angle))});
+    CHECK(is_valid(domain) && count(domain, Role::BOUNDARY) == 2);
+  }
+}
+
 // An inner curve between the boundary and a chord of it, where first approximations have no place for it: inside.
 void test_curve_beyond_chords()
 {
@@ -298,6 +310,7 @@ int main()
   test_accepted();
   test_scales();
   test_inner_curves();
+  test_ends_on_circle();
   test_curve_beyond_chords();
   test_coinciding_pieces();
   test_polygons_of_cgal();

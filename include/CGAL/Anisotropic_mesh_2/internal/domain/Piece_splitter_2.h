@@ -149,13 +149,16 @@ private:
     return (std::min)(1., (std::max)(0., t));
   }
 
-  // the best of the samples, then golden section between its neighbors
+  // the best of the samples, then golden section between its neighbors; both ends of a closed curve are as good
   static double nearest_parameter(const Curve_piece_2<K>& curve, const Point_2& p)
   {
     int best = 0;
     for(int i = 1; i <= samples; ++i)
       if(distance(curve.point(double(i) / samples), p) < distance(curve.point(double(best) / samples), p))
         best = i;
+    if(best == 0 && curve.is_closed()
+       && distance(curve.point(1 - 1. / samples), p) < distance(curve.point(1. / samples), p))
+      best = samples;
     double low = (std::max)(0, best - 1) / double(samples), high = (std::min)(samples, best + 1) / double(samples);
     const double golden = 0.6180339887498949;
     double a = high - golden*(high - low), b = low + golden*(high - low);
