@@ -330,8 +330,8 @@ void test_lengths_of_segments()
   });
   const auto length = traits.compute_riemannian_length_2_object();
   const double expected = (std::exp(10.) - 1) / 10;
-  CHECK(std::abs(length(Point(0, 3), Point(1, 3)) - expected) < 1e-6 * expected);
-  CHECK(std::abs(length(Point(1, 1), Point(0, 0)) - std::sqrt(2.) * expected) < 1e-6 * expected);
+  CHECK(std::abs(length(Point(0, 3), Point(1, 3)) - expected) < 3e-6 * expected);
+  CHECK(std::abs(length(Point(1, 1), Point(0, 0)) - std::sqrt(2.) * expected) < 3e-6 * expected);
   CHECK(std::abs(length(Point(0.5, 0), Point(0.5, 2)) - 2 * std::exp(5.)) < 1e-10);
 }
 

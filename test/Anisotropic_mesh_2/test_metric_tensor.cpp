@@ -10,6 +10,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/difference_of_products.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Isotropic_metric_field_2.h>
@@ -19,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <string>
@@ -152,7 +154,7 @@ void test_refusals_at_points()
   CHECK(message.find(" at ") == message.rfind(" at "));
 }
 
-// What tensors rest on: products that nearly cancel, and numbers in messages, which read back as the same.
+// What tensors rest on: products that nearly cancel, numbers in messages, which read back as the same, and sums.
 void test_numbers()
 {
   using namespace CGAL::Anisotropic_mesh_2::internal;
@@ -160,6 +162,7 @@ void test_numbers()
   CHECK(difference_of_products(1 + tiny, 1 - tiny, 1., 1.) == -tiny * tiny);
   CHECK(difference_of_products(3., 5., 2., 4.) == 7);
   CHECK(describe(0.1) == "0.1" && describe(0.1 + 0.2) == "0.30000000000000004" && describe(1e22) == "1e+22");
+  CHECK(sum_over<CGAL::Sequential_tag>(5000, [](std::size_t i) { return double(i); }) == 4999 * 2500);
 }
 
 int main()
