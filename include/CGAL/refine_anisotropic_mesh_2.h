@@ -52,16 +52,17 @@ std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
 /// that distance allows. Constrained edges stay as they are. The cost is
 /// proportional to the number of vertices, apart from the location of the first ones.
 ///
-/// Faces are refined as long as they have more than twice the area of a unit triangle in the metric, too. For that the
+/// Faces are refined as long as they have more than 2.5 times the area of a unit triangle in the metric, too. For that the
 /// field is sampled at the barycentres of faces and at 2500 points in all, which form a lattice: places that are finer
 /// than their surroundings are found if they contain a disc of a hundredth of the domain's extent, and thin ones along
 /// lines at any rate.
 ///
 /// The distance between vertices ends the insertion. Where the metric varies by a factor of 3 between neighbors, a new
 /// vertex also needs area in the metric: its faces 0.7 times that of a unit triangle on average, and the unit disc
-/// around it, under the tensor there, as much as if that tensor held in half of it. So places that are fine, but thinner
-/// than an element is long, like a single wild tensor among others, are passed over, and edges that cross them remain
-/// long; all other places get at least 0.8 times the ideal number of vertices. The number of rounds is limited to 1000.
+/// around it, under the tensor there, as much as if that tensor held in half of it. So places that are fine, but
+/// thinner than an element is long, like a single wild tensor among others, are passed over, and edges that cross them
+/// remain long; all other places get at least 0.8 times the ideal number of vertices. The number of rounds is limited
+/// to 1000.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters

@@ -259,6 +259,26 @@ void test_circle()
   }
 }
 
+// The chords of a circle leave it by at most a quarter of the size across it, which is sagitta over that size.
+void test_layer_along_circle()
+{
+  Domain disc;
+  disc.add_circle(Point(0, 0), 1);
+  for(double across : {0.1, 1e-2, 1e-4, 1e-6}) {
+    const auto layer = [across](const Point& p)
+      { return Tensor::from_sizes(across + 0.2 * std::abs(1 - std::hypot(p.x(), p.y())), 0.1, std::atan2(p.y(), p.x())); };
+    const Mesh mesh = internal::unit_boundary_graph(disc, layer, limit);
+    double farthest = 0;
+    for(const auto& s : mesh.segments) {
+      const Point m = CGAL::midpoint(mesh.points[s.source], mesh.points[s.target]);
+      farthest = (std::max)(farthest, (1 - std::hypot(m.x(), m.y())) / across);
+    }
+    CHECK_MSG(farthest < 0.26, internal::describe(farthest));
+    const double enough = 2*pi / (std::min)(0.1, std::sqrt(8 * 0.25 * across)); // arcs of unit length, or that flat
+    CHECK_MSG(double(mesh.points.size()) < 1.3 * enough + 2, internal::describe(double(mesh.points.size())));
+  }
+}
+
 void test_near_curves()
 {
   const auto coarse = [](const Point&) { return Tensor::from_size(100); };
@@ -364,6 +384,7 @@ int main()
   test_equal_lengths();
   test_oblique_area();
   test_circle();
+  test_layer_along_circle();
   test_near_curves();
   test_shapes_and_scales();
   test_passed_on();

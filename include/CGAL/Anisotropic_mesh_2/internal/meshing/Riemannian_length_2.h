@@ -92,12 +92,14 @@ public:
   typedef Curve_piece_2<K>        Piece;
   typedef typename K::Point_2     Point_2;
 
-  // stops as soon as the length is known to exceed `limit`; `total()` exceeds it then
+  static constexpr int fewest_panels = 7; // odd: symmetric features are not skipped
+
+  // begins with that many panels, and stops as soon as the length is known to exceed `limit`; `total()` exceeds it then
   Riemannian_length_2(const Piece& piece, const Field& field,
-                      double limit = std::numeric_limits<double>::infinity())
+                      double limit = std::numeric_limits<double>::infinity(), int panels = fewest_panels)
     : m_piece(piece), m_field(field)
   {
-    start();
+    start(panels);
     bisect_long_panels(limit);
     if(m_lower_bound <= limit)
       bisect_inaccurate_panels();
@@ -137,7 +139,6 @@ private:
   static constexpr double      threshold = 0.4;             // the paper's delta, 0.1, between the nodes of a panel
   static constexpr double      relative_tolerance = 1e-8;
   static constexpr double      smallest_step = 1e-14;
-  static constexpr int         first_panels = 7;            // odd: symmetric features are not skipped
   static constexpr double      many_panels = 2e4;
   static constexpr int         accuracy_bisections = 4096;
 
@@ -185,12 +186,12 @@ private:
     return Node{p, metric_at(m_field, p)};
   }
 
-  void start()
+  void start(int panels)
   {
     Node last = node(0);
-    for(int i = 0; i < first_panels; ++i) {
-      const double t0 = double(i) / first_panels, step = 0.25 / first_panels;
-      const Node next = node(double(i + 1) / first_panels);
+    for(int i = 0; i < panels; ++i) {
+      const double t0 = double(i) / panels, step = 0.25 / panels;
+      const Node next = node(double(i + 1) / panels);
       add(Panel(t0, step, {last, node(t0 + step), node(t0 + 2*step), node(t0 + 3*step), next},
                 m_piece.is_straight()));
       last = next;

@@ -88,7 +88,7 @@ public:
 private:
   static constexpr double number_of_samples = 2500;
   static constexpr double area_of_unit_triangle = 0.4330127018922193;
-  static constexpr double too_much = 2 * area_of_unit_triangle;
+  static constexpr double too_much = 2.5 * area_of_unit_triangle;
   static constexpr double smallest_share = 1e-6;
   static constexpr int    levels = 5;
 
