@@ -108,7 +108,7 @@ void declare_methods(CLI::App& app, Options& options)
   app.add_option("--tolerance", options.tolerance,
                  "stop when no vertex would move by more, measured in the metric; default 0.001")
     ->type_name("T")->group(group)->check(number_from_zero());
-  app.add_option("--time-limit", options.time_limit, "stop the optimizer after this number of seconds")
+  app.add_option("--time-limit", options.time_limit, "stop meshing and the optimizer after this number of seconds")
     ->type_name("SEC")->group(group)->check(positive_number());
   declare_choice(app, "--measure", options.measure,
                  {{"riemannian", Measure::RIEMANNIAN}, {"lebesgue", Measure::LEBESGUE}},

@@ -41,6 +41,13 @@ public:
     std::fprintf(stderr, "%s\n", text.c_str());
   }
 
+  // something that the user must know, however quiet the program is
+  void warn(const std::string& text)
+  {
+    end_line();
+    std::fprintf(stderr, "anisotropic_mesh_2: %s\n", text.c_str());
+  }
+
   // one of many similar lines
   void update(const std::string& text)
   {

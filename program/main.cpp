@@ -54,6 +54,9 @@ void run(const Options& options)
     Mesh mesh = meshed(options, progress, report);
     optimize(mesh, options, progress, report);
     progress.say("stopped by " + report.stop_reason);
+    const std::string complaint = warning(mesh);
+    if(!complaint.empty())
+      progress.warn(complaint);
     write_outputs(mesh, options, report);
   }
   catch(const CGAL::Anisotropic_mesh_2::Invalid_domain_exception& e) {

@@ -26,6 +26,7 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -60,7 +61,8 @@ inline Mesh make_mesh(const Domain_with_metric& input, const Options& options, R
   CGAL::Real_timer timer;
   timer.start();
   Mesh mesh = CGAL::make_anisotropic_mesh_2(input.domain, input.metric,
-                                            np::keep_boundary_points(options.keep_boundary));
+                                            np::keep_boundary_points(options.keep_boundary)
+                                              .maximum_running_time(options.time_limit.value_or(0)));
   report.seconds_mesh = timer.time();
   return mesh;
 }
@@ -100,7 +102,7 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   namespace np = CGAL::Anisotropic_mesh_2::parameters;
   const auto parameters = np::convergence(options.tolerance).measure(measure_of(options))
     .number_of_iterations(options.iterations)
-    .maximum_running_time(options.time_limit.value_or(0)) // 0: no limit
+    .maximum_running_time(options.time_limit ? (std::max)(*options.time_limit - report.seconds_mesh, 1e-9) : 0)
     .method(options.optimizer == Optimizer::LLOYD ? CGAL::Anisotropic_mesh_2::Optimization_method::LLOYD
                                                   : CGAL::Anisotropic_mesh_2::Optimization_method::QUASI_NEWTON)
     .visitor(Progress_visitor(options, progress, report));
@@ -111,6 +113,9 @@ inline void optimize(Mesh& mesh, const Options& options, Progress& progress, Run
   report.seconds_optimize = timer.time();
   report.stop_reason = result.reason();
 }
+
+// for the user, who may have asked for no statistics; empty if all is well
+inline std::string warning(const Mesh& mesh) { return CGAL::anisotropic_mesh_warning_2(mesh); }
 
 inline auto statistics(const Mesh& mesh, const Options& options)
 {

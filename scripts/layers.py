@@ -27,7 +27,8 @@ LAYERS = {
     "kernel": """Anisotropic_mesh_vertex_base_2 Constrained_anisotropic_Delaunay_triangulation_2
         anisotropic_Delaunay_consistency_2""",
     "mesh": "Anisotropic_mesh_face_base_2 Anisotropic_Delaunay_mesh_2",
-    "meshing": "Anisotropic_mesh_2/Point_placement make_anisotropic_mesh_2 refine_anisotropic_mesh_2",
+    "meshing": """Anisotropic_mesh_2/Point_placement Anisotropic_mesh_2/Refinement_result make_anisotropic_mesh_2
+        refine_anisotropic_mesh_2""",
     "tessellation": """Anisotropic_mesh_2/Directional_distance_2 Anisotropic_mesh_2/Labelle_Shewchuk_distance_2
         Anisotropic_mesh_2/Multiplicative_weight_distance_2 Anisotropic_mesh_2/Visibility_sampling
         Anisotropic_Voronoi_diagram_2 anisotropic_visibility_region_2""",

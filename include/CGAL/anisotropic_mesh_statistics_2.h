@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/Energy_summary.h>
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/Shape_summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/mesh_warning.h>
 #include <CGAL/Anisotropic_mesh_2/internal/statistics/write_statistics.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -51,8 +53,9 @@ struct Mesh_statistics
   double gradient_norm = 0;            ///< the largest metric length from a free vertex to its mass centre; after
                                        ///< `improve_anisotropic_mesh_2()` some hundredths, since it takes vertices away
                                        ///< from there
+  std::string warning;                 ///< what `CGAL::anisotropic_mesh_warning_2()` tells
 
-  /// calls `visit(name, value)` for each value, from `vertices` to `gradient_norm`.
+  /// calls `visit(name, value)` for each number, from `vertices` to `gradient_norm`.
   /// \tparam Visit a functor of a `const char*` and either a `std::size_t` or a `double`
   template <class Visit>
   void for_each(const Visit& visit) const
@@ -103,6 +106,7 @@ public:
       return m_result;
     measure_shapes();
     measure_energy();
+    m_result.warning = mesh_warning(m_mesh);
     return m_result;
   }
 
@@ -154,6 +158,21 @@ private:
 
 } // namespace internal
 } // namespace Anisotropic_mesh_2
+
+/// \ingroup PkgAnisotropicMesh2Functions
+///
+/// tells in one line if a mesh does not follow its metric, since that varies too much within elements: if it has more
+/// than twice the ideal number of vertices besides those of the boundary, or a mean quality below 0.5. Costs one
+/// evaluation of the field per face.
+/// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
+/// \param mesh the mesh, with its domain marked.
+/// \return what is wrong, the place of the worst face and what would help, or nothing if all is well.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a barycentre.
+template <class Mesh>
+std::string anisotropic_mesh_warning_2(const Mesh& mesh)
+{
+  return Anisotropic_mesh_2::internal::mesh_warning(mesh);
+}
 
 /// \ingroup PkgAnisotropicMesh2Functions
 ///

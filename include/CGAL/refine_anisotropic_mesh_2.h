@@ -15,6 +15,7 @@
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
@@ -34,10 +35,14 @@ std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
 {
   const auto placement = CGAL::parameters::choose_parameter
     (CGAL::parameters::get_parameter(np, point_placement_t()), Point_placement::ADVANCING_FRONT);
-  const std::size_t before = mesh.number_of_vertices();
-  Field_point_inserter<Mesh>(mesh, vertex_limit(np))(placement);
+  const double time_limit = CGAL::parameters::choose_parameter
+    (CGAL::parameters::get_parameter(np, internal_np::maximum_running_time), 0.);
+  const Refinement_result result = Field_point_inserter<Mesh>(mesh, vertex_limit(np), time_limit)(placement);
   restore_connectivity(mesh);
-  return mesh.number_of_vertices() - before;
+  Refinement_result unused;
+  CGAL::parameters::choose_parameter
+    (CGAL::parameters::get_parameter(np, refinement_result_t()), std::ref(unused)).get() = result;
+  return result.number_of_insertions;
 }
 
 } // namespace Anisotropic_mesh_2::internal
@@ -52,7 +57,8 @@ std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
 /// that distance allows. Constrained edges stay as they are. The cost is
 /// proportional to the number of vertices, apart from the location of the first ones.
 ///
-/// Faces are refined as long as they have more than 2.5 times the area of a unit triangle in the metric, too. For that the
+/// Faces are refined as long as they have more than 2.5 times the area of a unit triangle in the metric, too. For
+/// that the
 /// field is sampled at the barycentres of faces and at 2500 points in all, which form a lattice: places that are finer
 /// than their surroundings are found if they contain a disc of a hundredth of the domain's extent, and thin ones along
 /// lines at any rate.
@@ -62,7 +68,7 @@ std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
 /// around it, under the tensor there, as much as if that tensor held in half of it. So places that are fine, but
 /// thinner than an element is long, like a single wild tensor among others, are passed over, and edges that cross them
 /// remain long; all other places get at least 0.8 times the ideal number of vertices. The number of rounds is limited
-/// to 1000.
+/// to 1000, and the number of vertices to four times what the faces ask for.
 ///
 /// \tparam Mesh an instance of `Anisotropic_Delaunay_mesh_2`.
 /// \tparam NamedParameters a sequence of named parameters
@@ -74,6 +80,15 @@ std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
 ///     \cgalParamDescription{the number of vertices that the mesh must not exceed}
 ///     \cgalParamType{`std::size_t`}
 ///     \cgalParamDefault{10000000}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_running_time}
+///     \cgalParamDescription{the real time in seconds after which no vertex is inserted; 0 means no limit}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{refinement_result}
+///     \cgalParamDescription{what is told how the insertion ended}
+///     \cgalParamType{`std::ref` of an `Anisotropic_mesh_2::Refinement_result`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{point_placement}
 ///     \cgalParamDescription{where the points come from}

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -361,6 +362,22 @@ void test_statistics()
   }
 }
 
+// A time limit ends the insertion with a valid mesh, and is told; a coarse mesh of a layer that curves is complained of.
+void test_limits_and_warning()
+{
+  CGAL::Anisotropic_mesh_2::Refinement_result result;
+  const auto tell = np::refinement_result(std::ref(result));
+  const Field fine = [](const Point&) { return Tensor::from_size(0.005); };
+  const Mesh cut = CGAL::make_anisotropic_mesh_2<Mesh>(box(0, 1), Mesh::Geom_traits(fine),
+                                                       tell.maximum_running_time(1e-9));
+  CHECK(result.time_limit_reached && !result.vertex_limit_reached && cut.is_valid(true));
+  CHECK(std::abs(area_of(cut) - 1) < 1e-12);
+  const Mesh whole = CGAL::make_anisotropic_mesh_2<Mesh>(box(0, 1), Mesh::Geom_traits(fine), tell);
+  CHECK(!result.time_limit_reached && result.number_of_insertions > cut.number_of_vertices());
+  CHECK(CGAL::anisotropic_mesh_warning_2(whole).empty());
+  CHECK(CGAL::anisotropic_mesh_warning_2(cut).find("worst at (") != std::string::npos); // triangles of the boundary only
+}
+
 int main()
 {
   for(const Case& c : paper_cases()) {
@@ -377,6 +394,7 @@ int main()
   test_gates(gated[2], 0.20, 3.0, 0.996, 0.577);
   test_fine_places();
   test_wild_tensor();
+  test_limits_and_warning();
   test_domain_with_everything();
   test_clustered_start();
   test_refusals();

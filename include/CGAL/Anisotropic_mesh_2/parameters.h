@@ -23,6 +23,7 @@ struct measure_t {};
 struct method_t {};
 struct point_placement_t {};
 struct quality_moves_t {};
+struct refinement_result_t {};
 struct region_evaluation_t {};
 
 // A list of named parameters that any of the names below may continue. For functions it is a list of CGAL.
@@ -48,6 +49,7 @@ public:
   template <class V> auto method(const V& value) const { return with<method_t>(value); }
   template <class V> auto point_placement(const V& value) const { return with<point_placement_t>(value); }
   template <class V> auto quality_moves(const V& value) const { return with<quality_moves_t>(value); }
+  template <class V> auto refinement_result(const V& value) const { return with<refinement_result_t>(value); }
   template <class V> auto region_evaluation(const V& value) const { return with<region_evaluation_t>(value); }
 
   // names of CGAL, whose members would return a list that the names above cannot continue
@@ -99,10 +101,12 @@ inline constexpr internal::Parameter_name<internal::method_t> method{};
 inline constexpr internal::Parameter_name<internal::point_placement_t> point_placement{};
 /// whether faces of low quality are improved after an optimization, also by insertions and removals.
 inline constexpr internal::Parameter_name<internal::quality_moves_t> quality_moves{};
+/// a reference to the `CGAL::Anisotropic_mesh_2::Refinement_result` that a mesh generator fills in.
+inline constexpr internal::Parameter_name<internal::refinement_result_t> refinement_result{};
 /// the `CGAL::Anisotropic_mesh_2::Region_evaluation` of an optimizer.
 inline constexpr internal::Parameter_name<internal::region_evaluation_t> region_evaluation{};
 
-/// the name of \cgal: the real time in seconds after which no iteration begins.
+/// the name of \cgal: the real time in seconds after which no iteration begins, and no vertex is inserted.
 inline constexpr internal::Parameter_name<internal_np::maximum_running_time_t> maximum_running_time{};
 /// the name of \cgal: the largest number of iterations.
 inline constexpr internal::Parameter_name<internal_np::number_of_iterations_t> number_of_iterations{};

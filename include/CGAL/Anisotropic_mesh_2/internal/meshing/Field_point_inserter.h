@@ -8,10 +8,14 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESHING_FIELD_POINT_INSERTER_H
 
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
+#include <CGAL/Anisotropic_mesh_2/Refinement_result.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Edge_subdivision.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Field_point_filter.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Uncovered_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/unit_apex.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 
@@ -42,15 +46,15 @@ class Field_point_inserter
   typedef std::pair<Vertex_handle, Vertex_handle> Vertex_pair;
 
 public:
-  Field_point_inserter(Mesh& mesh, std::size_t maximum_number_of_vertices)
-    : m_mesh(mesh), m_limit(maximum_number_of_vertices),
+  Field_point_inserter(Mesh& mesh, std::size_t maximum_number_of_vertices, double time_limit)
+    : m_mesh(mesh), m_limit(maximum_number_of_vertices), m_time(time_limit),
       m_tensor(mesh.geom_traits().construct_metric_tensor_2_object()), m_filter(mesh)
   {}
 
   // With ADVANCING_FRONT, points come from the fronts as long as these advance;
   // what stays too long afterwards is subdivided. Where faces still have too much
   // area in the metric, new fronts begin.
-  void operator()(Point_placement placement)
+  Refinement_result operator()(Point_placement placement)
   {
     if(placement == Point_placement::ADVANCING_FRONT)
       advance_fronts(front_edges());
@@ -59,17 +63,21 @@ public:
     for(int round = 0; round < maximum_number_of_rounds; ++round) {
       const std::size_t first = m_new_vertices.size();
       for(const Point& p : uncovered.places())
-        begin_front(p);
+        if(may_go_on())
+          begin_front(p);
       if(m_new_vertices.size() == first)
-        return;
+        break;
       advance_fronts(edges_of_new_vertices(first));
       subdivide_edges(edges_of_new_vertices(first));
       uncovered.add_faces_of({m_new_vertices.begin() + std::ptrdiff_t(first), m_new_vertices.end()});
     }
+    m_result.number_of_insertions = m_new_vertices.size();
+    return m_result;
   }
 
 private:
-  static constexpr int maximum_number_of_rounds = 1000;
+  static constexpr int    maximum_number_of_rounds = 1000;
+  static constexpr double largest_ratio = 4; // to the ideal number of vertices
 
   void advance_fronts(std::vector<Vertex_pair> edges)
   {
@@ -89,10 +97,36 @@ private:
   {
     for(int round = 0; round < maximum_number_of_rounds && !edges.empty(); ++round) {
       const std::size_t first = m_new_vertices.size();
-      for(const Vertex_pair& e : edges)
+      for(const Vertex_pair& e : edges) {
+        if(!may_go_on())
+          return;
         treat(e);
+      }
       edges = edges_of_new_vertices(first);
     }
+  }
+
+  // The mesh is compared with what its faces ask for whenever it has doubled.
+  bool may_go_on()
+  {
+    m_result.time_limit_reached = m_result.time_limit_reached || m_time.is_spent();
+    if(m_new_vertices.size() >= m_next_check && !m_result.vertex_limit_reached) {
+      m_next_check *= 2;
+      m_result.vertex_limit_reached
+        = double(m_new_vertices.size()) > largest_ratio * ideal_number_of_vertices(metric_area_of_faces());
+    }
+    return !m_result.time_limit_reached && !m_result.vertex_limit_reached;
+  }
+
+  double metric_area_of_faces() const
+  {
+    double sum = 0;
+    for(Face_handle f : m_mesh.faces_in_domain()) {
+      const Triangle_of_doubles t = triangle_of_doubles(f);
+      sum += area(t) * m_tensor(point_at<Point>((t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3))
+                         .area_density();
+    }
+    return sum;
   }
 
   // A front begins with an edge of unit length along the longer axis of the metric.
@@ -202,11 +236,14 @@ private:
 
   Mesh& m_mesh;
   const std::size_t m_limit;
+  const Time_budget m_time;
   const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
   const Field_point_filter<Mesh> m_filter;
   Edge_subdivision<Point> m_subdivision;
   typename Mesh::Cavity m_cavity;
   std::vector<Vertex_handle> m_new_vertices;
+  std::size_t m_next_check = 4096;
+  Refinement_result m_result;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal
