@@ -58,10 +58,9 @@ std::size_t fill_with_field_points(Mesh& mesh, const NamedParameters& np)
 /// proportional to the number of vertices, apart from the location of the first ones.
 ///
 /// Faces are refined as long as they have more than 2.5 times the area of a unit triangle in the metric, too. For
-/// that the
-/// field is sampled at the barycentres of faces and at 2500 points in all, which form a lattice: places that are finer
-/// than their surroundings are found if they contain a disc of a hundredth of the domain's extent, and thin ones along
-/// lines at any rate.
+/// that the field is sampled at the barycentres of faces and at 2500 points in all, which form a lattice: places that
+/// are finer than their surroundings are found if they contain a disc of a hundredth of the domain's extent, and thin
+/// ones along lines at any rate.
 ///
 /// The distance between vertices ends the insertion. Where the metric varies by a factor of 3 between neighbors, a new
 /// vertex also needs area in the metric: its faces 0.7 times that of a unit triangle on average, and the unit disc
