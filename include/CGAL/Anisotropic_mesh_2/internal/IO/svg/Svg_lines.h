@@ -62,20 +62,25 @@ inline std::vector<Svg_line> joined_lines(const std::vector<Svg_edge>& edges, bo
     }
   std::sort(steps.begin(), steps.end());
   const auto first_from = [&](const Svg_point& p) {
-    return std::lower_bound(steps.begin(), steps.end(), p,
-                            [](const Step& s, const Svg_point& q) { return std::get<0>(s) < q; });
+    return std::size_t(std::lower_bound(steps.begin(), steps.end(), p, [](const Step& s, const Svg_point& q) {
+                         return std::get<0>(s) < q;
+                       }) - steps.begin());
   };
   std::vector<bool> is_used(edges.size(), false);
+  std::vector<std::size_t> passed(steps.size(), 0); // by the first step from a point: how many of them are used
   const auto line_from = [&](Svg_point p) {
     Svg_line line(1, p);
-    for(auto s = first_from(p); s != steps.end() && std::get<0>(*s) == p;)
-      if(is_used[std::get<2>(*s)])
-        ++s;
-      else {
-        is_used[std::get<2>(*s)] = true;
-        line.push_back(p = std::get<1>(*s));
-        s = first_from(p);
+    for(std::size_t first = first_from(p); first < steps.size();) {
+      const std::size_t s = first + passed[first];
+      if(s == steps.size() || std::get<0>(steps[s]) != p)
+        break;
+      ++passed[first];
+      if(!is_used[std::get<2>(steps[s])]) {
+        is_used[std::get<2>(steps[s])] = true;
+        line.push_back(p = std::get<1>(steps[s]));
+        first = first_from(p);
       }
+    }
     return line;
   };
   std::vector<Svg_line> lines;
