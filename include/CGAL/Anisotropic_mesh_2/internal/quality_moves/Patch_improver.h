@@ -29,8 +29,9 @@ template <class Patch, class Acceptance>
 class Patch_improver
 {
 public:
-  Patch_improver(const Patch& start, Acceptance& accept)
-    : m_start(start), m_accept(accept), m_swap(start.geom_traits()), m_smooth(start.geom_traits())
+  Patch_improver(const Patch& start, Acceptance& accept, bool may_collapse)
+    : m_start(start), m_accept(accept), m_may_collapse(may_collapse), m_swap(start.geom_traits()),
+      m_smooth(start.geom_traits())
   {}
 
   // Returns the last copy that was accepted, or none. The first attempt moves
@@ -42,7 +43,7 @@ public:
     if(!m_accept.is_satisfied())
       attempt(nothing, 1);
     const int n = m_accept.is_satisfied() ? 0 : 3; // all of these, for the best
-    for(int i = 0; i < n; ++i)
+    for(int i = 0; i < n && m_may_collapse; ++i)
       attempt([i](Patch& p) { return collapse(p, p.first_face()->vertex(i)); }, 1);
     for(int i = 0; i < n; ++i)
       attempt([i](Patch& p) { return split_edge(p, {p.first_face(), i}); }, 1);
@@ -86,6 +87,7 @@ private:
 
   const Patch&                  m_start;
   Acceptance&                   m_accept;
+  const bool                    m_may_collapse;
   const Edge_swapper<Patch>     m_swap;
   const Vertex_smoother<Patch>  m_smooth;
   std::unique_ptr<Patch>        m_best;

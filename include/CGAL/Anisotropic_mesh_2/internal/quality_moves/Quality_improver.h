@@ -8,6 +8,8 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_QUALITY_IMPROVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Patch_improver.h>
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -45,7 +48,7 @@ class Quality_improver
 public:
   Quality_improver(Mesh& mesh, const Time_budget& time)
     : m_mesh(mesh), m_time(time), m_vertex(mesh.vertex_index_bound()), m_changed(m_vertex.size(), 0),
-      m_maximum_of_trials(mesh.number_of_faces() / 16 + 512)
+      m_maximum_of_trials(mesh.number_of_faces() / 16 + 512), m_least_number(least_number_of_vertices())
   {
     for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
       m_vertex[v->index()] = v;
@@ -130,7 +133,8 @@ private:
   {
     const Patch start(m_mesh, patch_around(f));
     Quality_acceptance<Patch> accept(start, target);
-    Patch_improver<Patch, Quality_acceptance<Patch> > improver(start, accept);
+    const bool may_collapse = m_mesh.number_of_vertices() > m_least_number;
+    Patch_improver<Patch, Quality_acceptance<Patch> > improver(start, accept, may_collapse);
     const std::unique_ptr<Patch> best = improver(target + 0.01); // leaves other vertices at their mass centres
     if(best == nullptr)
       return false;
@@ -146,6 +150,24 @@ private:
         m_changed[w->index()] = round;
     }
     return true;
+  }
+
+  // A little less than a unit mesh has, or than the mesh has if that is less: removing vertices raises qualities, but
+  // is not what the metric asks for.
+  std::size_t least_number_of_vertices() const
+  {
+    double metric_area = 0;
+    std::size_t number_of_faces = 0;
+    for(Face_handle f : m_mesh.faces_in_domain()) {
+      const Symmetric_form m = metric_at_barycentre(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
+                                                    m_mesh.geom_traits().construct_metric_tensor_2_object());
+      metric_area += area(triangle_of_doubles(f)) * std::sqrt(m.determinant());
+      ++number_of_faces;
+    }
+    // the boundary has as many vertices more than faces account for
+    const double unit_number = ideal_number_of_vertices(metric_area)
+                             + double(m_mesh.number_of_vertices()) - double(number_of_faces) / 2;
+    return std::size_t(0.97 * (std::min)(unit_number, double(m_mesh.number_of_vertices())));
   }
 
   // Faces beyond a constrained edge do not belong to the patch, unless they can be reached around its end.
@@ -199,7 +221,7 @@ private:
   const Time_budget&         m_time;
   std::vector<Vertex_handle> m_vertex;  // by index
   std::vector<int>           m_changed; // by index: the round in which the vertex was last free to move
-  const std::size_t          m_maximum_of_trials;
+  const std::size_t          m_maximum_of_trials, m_least_number;
   std::size_t                m_trials = 0, m_improvements = 0;
 };
 
