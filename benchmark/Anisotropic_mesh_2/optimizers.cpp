@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Anisotropic_mesh_domain_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Sampled_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Acvt_optimizer.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
 #include <CGAL/Real_timer.h>
@@ -32,8 +33,11 @@ typedef K::Point_2                                          Point;
 typedef CGAL::Metric_tensor_2<K>                            Tensor;
 typedef std::function<Tensor(const Point&)>                 Field;
 typedef CGAL::Anisotropic_Delaunay_mesh_2<CGAL::Riemannian_metric_traits_2<K, Field> > Mesh;
-typedef internal::Facewise_energy<Mesh>                         Energy;
-typedef internal::Vertex_mover<Mesh>                        Mover;
+typedef internal::Sampled_metric<Mesh>                      Metric;
+typedef internal::Facewise_energy<Mesh, CGAL::Sequential_tag, Metric> Energy;
+typedef internal::Vertex_mover<Mesh, Metric>                Mover;
+
+constexpr double tolerance = 0.1; // of the energy: as fine as Lloyd needs it
 
 constexpr std::size_t bound = 100;
 
@@ -55,48 +59,46 @@ struct Energy_without_couplings
 {
   static constexpr bool has_couplings = false;
   Energy evaluate;
-  double operator()(std::vector<internal::Region_moments>& moments) { return evaluate(moments); }
+  internal::Bisector_hessian ignored;
+
+  Energy_without_couplings(const Mesh& mesh, const Metric& metric, Measure measure, double tolerance)
+    : evaluate(mesh, metric, measure, tolerance)
+  {}
+
+  double operator()(std::vector<internal::Region_moments>& moments) { return evaluate(moments, ignored); }
 };
 
 template <class AnyEnergy, class Method>
-States optimize(Mesh mesh, const std::function<AnyEnergy(const Mesh&)>& make_energy, const Method& method)
+States optimize(Mesh mesh, const Method& method)
 {
   States states;
   Recorder recorder{&states};
-  AnyEnergy energy = make_energy(mesh);
-  Mover mover(mesh);
+  Metric metric(mesh);
+  AnyEnergy energy(mesh, metric, Measure::RIEMANNIAN, tolerance);
+  Mover mover(mesh, metric);
   const internal::Stopping_criteria criteria{bound, 0, 0, 0};
   internal::Acvt_optimizer<CGAL::Sequential_tag, AnyEnergy, Mover, Recorder> optimizer(energy, mover, criteria, recorder);
   method(optimizer);
   return states;
 }
 
-States lloyd(const Mesh& mesh)
-{
-  return optimize<Energy>(mesh, [](const Mesh& m) { return Energy(m, Measure::RIEMANNIAN); },
-                          [](auto& o) { o.lloyd(); });
-}
+States lloyd(const Mesh& mesh) { return optimize<Energy>(mesh, [](auto& o) { o.lloyd(); }); }
 
 States by_matrices(const Mesh& mesh)
 {
-  return optimize<Energy_without_couplings>
-    (mesh, [](const Mesh& m) { return Energy_without_couplings{Energy(m, Measure::RIEMANNIAN)}; },
-     [](auto& o) { o.quasi_newton(); });
+  return optimize<Energy_without_couplings>(mesh, [](auto& o) { o.quasi_newton(); });
 }
 
-States by_hessian(const Mesh& mesh)
-{
-  return optimize<Energy>(mesh, [](const Mesh& m) { return Energy(m, Measure::RIEMANNIAN); },
-                          [](auto& o) { o.quasi_newton(); });
-}
+States by_hessian(const Mesh& mesh) { return optimize<Energy>(mesh, [](auto& o) { o.quasi_newton(); }); }
 
 // Moves by what `step` makes of the vectors to the mass centres.
 template <class Step>
 States fixed_point_iteration(Mesh mesh, Step step)
 {
   States states;
-  Energy energy(mesh, Measure::RIEMANNIAN);
-  Mover mover(mesh);
+  Metric metric(mesh);
+  Energy energy(mesh, metric, Measure::RIEMANNIAN, tolerance);
+  Mover mover(mesh, metric);
   std::vector<internal::Region_moments> moments;
   Optimization_state state;
   for(; state.iteration <= bound; ++state.iteration) {

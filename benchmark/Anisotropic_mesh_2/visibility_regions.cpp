@@ -58,7 +58,7 @@ std::vector<Region> regions(const Mesh& mesh, const Sampling& sampling)
 }
 
 template <class Energy, class Mesh>
-double microseconds_per_vertex(Energy energy, const Mesh& mesh)
+double microseconds_per_vertex(Energy&& energy, const Mesh& mesh)
 {
   std::vector<internal::Region_moments> moments;
   CGAL::Real_timer timer;
@@ -104,8 +104,10 @@ void print_table(const std::string& name, double side, const Field& field)
   finest.steps = 40;
   finest.parts_of_radius = 32;
   const std::vector<Region> reference = regions(mesh, finest);
+  const internal::Field_metric<decltype(mesh)> metric(mesh);
+  internal::Facewise_energy<decltype(mesh)> by_faces(mesh, metric, measure, 1);
   std::cout << "\n" << name << ", " << mesh.number_of_vertices() << " vertices; by faces: " << std::setprecision(3)
-            << microseconds_per_vertex(internal::Facewise_energy<decltype(mesh)>(mesh, measure), mesh)
+            << microseconds_per_vertex(by_faces, mesh)
             << " us per vertex\n\n"
             << "| N_D | M_D | crossings | error of mass centres, mean | largest | error of areas, mean "
             << "| us per vertex |\n"

@@ -15,7 +15,11 @@
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Full_region_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Required_for_now.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Sampled_metric.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Unit_mesh_merit.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Acvt_optimizer.h>
+#include <CGAL/Anisotropic_mesh_2/internal/optimization/Best_mesh_keeper.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_reinserter.h>
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
@@ -50,8 +54,11 @@ enum class Optimization_method
 /// from what the optimizers take energies and mass centres.
 enum class Region_evaluation
 {
-  /// from the faces, each divided among the vertices nearby by their bisectors: the fastest.
+  /// from the faces, each divided among the vertices nearby by their bisectors: the fastest. The
+  /// field is sampled once, at the beginning, and interpolated from then on.
   BY_FACES,
+  /// the same with the field itself, whose derivatives are differences: for comparison.
+  BY_FACES_EXACTLY,
   /// from the visibility regions of section 4.1 of \cgalCite{dw-acvt-05}, see
   /// `CGAL::anisotropic_visibility_region_2()`.
   VISIBILITY_REGIONS,
@@ -73,6 +80,8 @@ struct Optimization_result
   std::size_t evaluations = 0; ///< how many times the energy was evaluated
   double energy = 0;           ///< in the measure of the optimizer
   double largest_move = 0;     ///< the largest metric length of a Lloyd move, from a vertex to its mass centre
+  /// whether the iteration has left a mesh of no less merit than it got; if not, the vertices are where they were
+  bool is_better = true;
   Quality_improvement quality; ///< the result of `CGAL::improve_anisotropic_mesh_2()`
 
   /// returns why the iteration stopped, in words.
@@ -89,15 +98,11 @@ struct Optimization_result
 
 namespace internal {
 
-// Reads the named parameters that both methods share, sets up an optimizer
-// with the given way to move vertices, and runs `method` on it.
-template <class ConcurrencyTag, class Mover, class Mesh, class Method, class NamedParameters>
-Optimization_result optimize_acvt(Mesh& mesh, double energy_reduction, const Method& method,
-                                  const NamedParameters& np)
+template <class NamedParameters>
+Stopping_criteria stopping_criteria(double energy_reduction, const NamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-
   Stopping_criteria criteria;
   criteria.number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations),
                                                    criteria.number_of_iterations);
@@ -107,43 +112,102 @@ Optimization_result optimize_acvt(Mesh& mesh, double energy_reduction, const Met
   CGAL_precondition(criteria.time_limit >= 0);
   CGAL_precondition(criteria.energy_reduction >= 0);
   CGAL_precondition(criteria.convergence >= 0);
-  const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
+  return criteria;
+}
 
+inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
+{
+  return code == BOUND_REACHED || code == TIME_LIMIT_REACHED;
+}
+
+// Runs `method` on an optimizer with this energy. The mesh is as it was if that
+// throws, and if its merit has become less.
+template <class ConcurrencyTag, class Mesh, class Energy, class Metric, class Mover, class Method, class NamedParameters>
+Optimization_result optimize_energy(Mesh& mesh, Energy& energy, Metric& metric, Mover& mover, const Method& method,
+                                    const Stopping_criteria& criteria, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
   auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_optimization_visitor());
-
-  Mover mover(mesh);
-  const auto run = [&](auto energy) -> Optimization_result {
-    Acvt_optimizer<ConcurrencyTag, decltype(energy), Mover, decltype(visitor)>
-      optimizer(energy, mover, criteria, visitor);
-    const Mesh_optimization_return_code code = method(optimizer);
-    const Optimization_state& s = optimizer.state();
-    return {code, s.iteration, s.evaluations, s.energy, s.largest_move, {}};
+  const bool is_unit_mesh_wanted
+    = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN) == Measure::RIEMANNIAN;
+  const auto merit = [&](const Optimization_state& s) {
+    return is_unit_mesh_wanted ? Unit_mesh_merit(ConcurrencyTag(), mesh, metric).value() : -s.energy;
   };
+  Best_mesh_keeper<decltype(merit), Mover, decltype(visitor)> keeper(merit, mover, visitor);
+  Acvt_optimizer<ConcurrencyTag, Energy, Mover, decltype(keeper)> optimizer(energy, mover, criteria, keeper);
+  Optimization_result result;
+  try {
+    result.return_code = method(optimizer);
+    mover.finish();
+    const Optimization_state kept = keeper.choose(optimizer.state());
+    result.is_better = keeper.is_better();
+    result.energy = kept.energy;
+    result.largest_move = kept.largest_move;
+  }
+  catch(...) {
+    mover.restore_given();
+    throw;
+  }
+  if(!result.is_better && !is_stopped_from_outside(result.return_code))
+    result.return_code = CANT_IMPROVE_ANYMORE;
+  result.iterations = optimizer.state().iteration;
+  result.evaluations = optimizer.state().evaluations;
+  return result;
+}
 
+// Chooses the energy, and what both it and the mover take the metric from. Where the metric varies by more than
+// `tolerance` in a face, its faces are divided.
+template <class ConcurrencyTag, template <class, class, class> class Mover, class Mesh, class Method,
+          class NamedParameters>
+Optimization_result optimize_acvt(Mesh& mesh, const Method& method, const Stopping_criteria& criteria,
+                                  double tolerance, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Measure measure = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN);
+  const auto optimize = [&](auto& energy, auto& metric) {
+    Mover<Mesh, std::decay_t<decltype(metric)>, ConcurrencyTag> mover(mesh, metric);
+    return optimize_energy<ConcurrencyTag>(mesh, energy, metric, mover, method, criteria, np);
+  };
   // without the parameter, users do not pay for the compilation of the others
   typedef std::decay_t<decltype(get_parameter(np, region_evaluation_t()))> Given;
   if constexpr(!std::is_same<Given, internal_np::Param_not_found>::value) {
     const Region_evaluation evaluation = get_parameter(np, region_evaluation_t());
-    if(evaluation == Region_evaluation::VISIBILITY_REGIONS)
-      return run(Visibility_energy<Mesh>(mesh, measure));
-    if(evaluation == Region_evaluation::FULL_REGIONS)
-      return run(Full_region_energy<Mesh, ConcurrencyTag>(mesh, measure));
+    Field_metric<Mesh> field(mesh);
+    if(evaluation == Region_evaluation::BY_FACES_EXACTLY) {
+      Facewise_energy<Mesh, ConcurrencyTag> energy(mesh, field, measure, tolerance);
+      return optimize(energy, field);
+    }
+    if(evaluation == Region_evaluation::VISIBILITY_REGIONS) {
+      Visibility_energy<Mesh> energy(mesh, measure);
+      return optimize(energy, field);
+    }
+    if(evaluation == Region_evaluation::FULL_REGIONS) {
+      Full_region_energy<Mesh, ConcurrencyTag> energy(mesh, measure);
+      return optimize(energy, field);
+    }
   }
-  return run(Facewise_energy<Mesh, ConcurrencyTag>(mesh, measure));
+  typedef Sampled_metric<Mesh> Metric;
+  Metric metric(ConcurrencyTag(), mesh);
+  Facewise_energy<Mesh, ConcurrencyTag, Metric> energy(mesh, metric, measure, tolerance);
+  return optimize(energy, metric);
 }
 
 template <class ConcurrencyTag, class Mesh, class NamedParameters>
 Optimization_result optimize_by_lloyd(Mesh& mesh, const NamedParameters& np)
 {
-  return optimize_acvt<ConcurrencyTag, Vertex_reinserter<Mesh> >
-    (mesh, 0., [](auto& optimizer) { return optimizer.lloyd(); }, np);
+  const double tolerance = 0.1; // its steps come from the regions, not from the gradient of their discrete energy
+  return optimize_acvt<ConcurrencyTag, Vertex_reinserter>
+    (mesh, [](auto& optimizer) { return optimizer.lloyd(); }, stopping_criteria(0., np), tolerance, np);
 }
 
 template <class ConcurrencyTag, class Mesh, class NamedParameters>
 Optimization_result optimize_by_quasi_newton(Mesh& mesh, const NamedParameters& np)
 {
-  return optimize_acvt<ConcurrencyTag, Vertex_mover<Mesh, ConcurrencyTag> >
-    (mesh, 3e-4, [](auto& optimizer) { return optimizer.quasi_newton(); }, np);
+  const double tolerance = 1;
+  return optimize_acvt<ConcurrencyTag, Vertex_mover>
+    (mesh, [](auto& optimizer) { return optimizer.quasi_newton(); }, stopping_criteria(3e-4, np), tolerance, np);
 }
 
 template <class NamedParameters>
@@ -159,11 +223,6 @@ bool are_quality_moves_wanted(const NamedParameters& np)
       && choose_parameter<std::size_t>(get_parameter(np, internal_np::number_of_iterations), 1) > 0;
 }
 
-inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
-{
-  return code == BOUND_REACHED || code == TIME_LIMIT_REACHED;
-}
-
 } // namespace internal
 } // namespace Anisotropic_mesh_2
 
@@ -172,16 +231,13 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 /// minimizes the energy of the anisotropic Voronoi tessellation of the vertices
 /// of a mesh, by a quasi-Newton method or by Lloyd's iteration.
 ///
-/// The gradient of the energy and the mass centres come from the same
-/// integrals, since the directional distance to a generator does not depend on
-/// the tessellation to first order: Lloyd's iteration is the gradient method
-/// preconditioned by the matrices \f$ A_i \f$ of the mass centres. The motion of the bisectors
-/// gives the rest of the Hessian. The L-BFGS method \cgalCite{ln-lmbm-89} is preconditioned by two steps
-/// of Chebyshev's iteration with that Hessian. A step is shortened if the energy after it
-/// exceeds that of the last eight iterates \cgalCite{gll-nls-86}, and so are moves that would invert a face.
-/// An iteration takes time linear in the number of vertices
-/// with the default `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's
-/// iteration as an open problem.
+/// The energy by faces is positive for any metric and has an exact gradient, see \ref AnisotropicMesh2Assembly. The
+/// L-BFGS method \cgalCite{ln-lmbm-89} follows it, preconditioned by two steps of Chebyshev's iteration with an
+/// approximation of the Hessian: the matrices \f$ A_i \f$ of the mass centres and the motion of the bisectors. A
+/// step is shortened if the energy after it exceeds that of the last eight iterates \cgalCite{gll-nls-86}, and so
+/// are moves that would invert a face. An iteration takes time linear in the number of vertices with the default
+/// `region_evaluation`. Section 6 of \cgalCite{dw-acvt-05} names the acceleration of Lloyd's iteration as an open
+/// problem.
 ///
 /// With the quasi-Newton method and the Riemannian measure, faces of low quality are improved at the end by
 /// `improve_anisotropic_mesh_2()`, which also inserts and removes vertices; `quality_moves` changes that.
@@ -189,8 +245,14 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 /// Fixed vertices stay where they are: those on constrained edges, required ones, and those of
 /// `vertex_is_constrained_map`.
 ///
-/// The field is evaluated about 40 times per vertex if the metric is mild. Where it changes much within an edge,
-/// faces are quartered and steps are tried without success: up to 9800 times have been counted.
+/// Vertices stay as well where the metric has a jump: there the energy says nothing about the shapes of faces.
+///
+/// The mesh is never worse afterwards: if its merit, the sum of the share of unit edges, of the mean quality and of
+/// a tenth of the least one, has become less by the iteration, the vertices return to where they were. With the
+/// measure of Lebesgue the energy decides.
+///
+/// By faces, the field is evaluated 6 times per vertex if the metric is mild and at most about 60 times else,
+/// whatever the number of iterations, see \ref AnisotropicMesh2Sampling; the quality moves come on top.
 ///
 /// \tparam ConcurrencyTag enables sequential or parallel work: `Sequential_tag`, `Parallel_tag` or
 /// `Parallel_if_available_tag`. `Parallel_tag` needs TBB and calls the metric field from several threads at
@@ -268,12 +330,12 @@ inline bool is_stopped_from_outside(Mesh_optimization_return_code code)
 /// See \ref AnisotropicMesh2NamedParameters for all of them.
 ///
 /// \return why the iteration stopped, and the numbers at its end. The return code is `CONVERGENCE_REACHED`,
-/// `MAX_ITERATION_NUMBER_REACHED`, `CANT_IMPROVE_ANYMORE` if the energy fell too little or no step lowers it within the
-/// accuracy to which it is evaluated, `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
+/// `MAX_ITERATION_NUMBER_REACHED`, `CANT_IMPROVE_ANYMORE` if the energy fell too little, no step lowers it, or
+/// the mesh would be worse afterwards, `TIME_LIMIT_REACHED`, `BOUND_REACHED` if the visitor stopped it, or
 /// `ALL_VERTICES_FROZEN` if no vertex is free to move. The mesh is valid in each case.
 /// \pre no number given is negative.
-/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain; the mesh is
-/// valid then, with the vertices on their way.
+/// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain. Whatever is
+/// thrown, also by the visitor, the mesh is as it was, unless it is thrown by the quality moves.
 template <class ConcurrencyTag = Sequential_tag, class Mesh, class CGAL_NP_TEMPLATE_PARAMETERS>
 Anisotropic_mesh_2::Optimization_result
 optimize_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameters::default_values())

@@ -41,6 +41,7 @@ inline void add(const Optimization_result& of_chart, Optimization_result& sum)
   sum.evaluations += of_chart.evaluations;
   sum.energy += of_chart.energy;
   sum.largest_move = (std::max)(sum.largest_move, of_chart.largest_move);
+  sum.is_better = sum.is_better || of_chart.is_better;
   sum.quality.return_code = combined_return_code(sum.quality.return_code, of_chart.quality.return_code);
   sum.quality.trials += of_chart.quality.trials;
   sum.quality.improvements += of_chart.quality.improvements;
@@ -52,7 +53,10 @@ template <class ConcurrencyTag, class Field, class NamedParameters>
 void optimize_charts(Anisotropic_surface_mesh_3<Field>& surface_mesh, const Surface_atlas<Field>& atlas,
                      const Time_budget& time, const NamedParameters& np, Optimization_result& result)
 {
-  result = {ALL_VERTICES_FROZEN, result.iterations, result.evaluations, 0, 0, {}};
+  Optimization_result sum;
+  sum.iterations = result.iterations;
+  sum.evaluations = result.evaluations;
+  result = sum;
   for(const auto& part : atlas.parts) {
     Chart_mesh<Field> chart(surface_mesh, part);
     if(chart.faces().empty() || !chart.triangulate())

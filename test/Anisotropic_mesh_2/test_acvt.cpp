@@ -2,13 +2,15 @@
 
 #include "check.h"
 #include "brute_force_acvt.h"
+#include "Energy_by_faces.h"
 #include "meshes.h"
 
 #include <CGAL/Random.h>
+#include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -42,7 +44,7 @@ void test_moments(const Case& c, Measure measure, double energy_tolerance, doubl
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   CGAL::optimize_anisotropic_mesh_2(mesh, np::measure(measure).number_of_iterations(20));
   std::vector<Region_moments> moments;
-  const double energy = Facewise_energy<Mesh>(mesh, measure)(moments);
+  const double energy = Energy_by_faces<Mesh>(mesh, measure)(moments);
 
   std::vector<Brute_force::Moments> exact;
   const double exact_energy = brute_force_of(mesh, c.field, measure, 20)(generators_of(mesh), exact);
@@ -112,7 +114,7 @@ void test_constant_metric_in_closed_form()
   CGAL::refine_anisotropic_mesh_2(mesh);
   CHECK(mesh.number_of_vertices() == 7);
   std::vector<Region_moments> moments;
-  Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments);
+  Energy_by_faces<Mesh>(mesh, Measure::RIEMANNIAN)(moments);
   // the cell of the centre is a hexagon of area sqrt(3)/2 in the metric, 2*det = 2 per unit of it
   const Region_moments& centre = moments[6];
   CHECK(std::abs(centre.a.a - 4 * std::sqrt(3.) / 2) < 1e-12);
@@ -120,67 +122,82 @@ void test_constant_metric_in_closed_form()
   CHECK(std::abs(centre.gx) < 1e-12 && std::abs(centre.gy) < 1e-12);
 }
 
-// The closed form for acute elements and the general clipping agree: to rounding
-// where the tensor is constant, else to the accuracy of their quadratures.
-void test_both_integrators(double variation, double tolerance)
+// A face of some shape, in a metric that varies.
+struct Test_face
 {
-  Acvt_element e;
-  e.corner = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
-  e.middle = Weighted_tensor(Symmetric_form(1, 0.05, 1.1), true);
-  for(int i = 0; i < 3; ++i)
-    e.tensor[i] = Weighted_tensor(Symmetric_form(1 + variation * (i - 1), 0.05 + variation * i, 1.1), true);
-  e.guess_bends();
-  std::array<Region_contribution, 3> m, n;
-  Face_couplings mixed, other_mixed;
-  Acute_element_integrator acute;
-  CHECK(acute.prepare(e));
-  const double energy = acute(e, {&m[0], &m[1], &m[2]}, &mixed);
-  Clipped_element_integrator::Generators generators;
-  for(int i = 0; i < 3; ++i)
-    generators.push_back({e.corner[i], &n[i], i, {}});
-  const double clipped = Clipped_element_integrator()(e, generators, &other_mixed);
-  CHECK_MSG(std::abs(energy / clipped - 1) < tolerance, std::to_string(energy / clipped));
-  for(int i = 0; i < 3; ++i) {
-    const Region_moments &p = m[i].moments, &q = n[i].moments;
-    CHECK(std::abs(p.a.a / q.a.a - 1) < tolerance);
-    CHECK(std::hypot(p.gx - q.gx, p.gy - q.gy) < tolerance);
-    CHECK(std::abs(m[i].response.a - n[i].response.a) + std::abs(m[i].response.c - n[i].response.c) < 20 * tolerance);
-    const Face_couplings::Block &c = mixed.block[i], &d = other_mixed.block[i];
-    CHECK(std::abs(c.xx - d.xx) + std::abs(c.xy - d.xy) + std::abs(c.yx - d.yx) + std::abs(c.yy - d.yy) < 20 * tolerance);
+  Triangle_of_doubles   z = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
+  Control_space::Sample sample = {Symmetric_form(1.5, 0.2, 1.1), Symmetric_form(0.3, 0.1, -0.2),
+                                  Symmetric_form(-0.1, 0.2, 0.4), std::sqrt(1.5*1.1 - 0.2*0.2)};
+
+  double density(bool is_riemannian) const { return is_riemannian ? sample.root_of_determinant : 1; }
+
+  // by parts: the gradient without and with the moments of the generators, which are the corners
+  Face_gradient by_parts(int n, bool is_riemannian, std::array<Region_moments, 3>& moments) const
+  {
+    Face_gradient g;
+    Part_generators generators;
+    for(int i = 0; i < 3; ++i)
+      generators.push_back({z[i], &moments[i]});
+    for(const Face_part& part : parts_of_face(n)) {
+      Part_integrator integrate(part.corners(z), sample.tensor, density(is_riemannian));
+      integrate(generators);
+      g.add(part, integrate.gradient());
+      g.add({{1./3, 1./3, 1./3}}, sample, integrate.energy(), integrate.by_tensor(), is_riemannian);
+    }
+    g.add_growth_of_area(z);
+    return g;
+  }
+};
+
+// The closed form for acute faces and the division of parts agree to rounding, whatever the number of parts.
+void test_closed_form(bool is_riemannian)
+{
+  const Test_face face;
+  const Acute_face acute(face.z, face.sample, face.density(is_riemannian));
+  CHECK(acute.is_acute());
+  std::array<Region_contribution, 3> sums;
+  Face_gradient closed;
+  acute.add_to(closed, is_riemannian, {{&sums[0], &sums[1], &sums[2]}});
+  for(int n : {1, 2, 4}) {
+    std::array<Region_moments, 3> moments;
+    const Face_gradient g = face.by_parts(n, is_riemannian, moments);
+    CHECK_MSG(std::abs(g.energy / closed.energy - 1) < 1e-13, std::to_string(g.energy / closed.energy));
+    for(int i = 0; i < 3; ++i) {
+      CHECK(std::abs(g.by_corner[i].x - 2*moments[i].gx - closed.by_corner[i].x) < 1e-13);
+      CHECK(std::abs(g.by_corner[i].y - 2*moments[i].gy - closed.by_corner[i].y) < 1e-13);
+      CHECK(std::abs(moments[i].a.a - sums[i].moments.a.a) + std::abs(moments[i].a.c - sums[i].moments.a.c) < 1e-13);
+    }
   }
 }
 
-// An element that is cut at the middles of its edges, and along the bisectors
-// that pass there, gives the sums of its parts, whatever rounding does to the
-// corners that lie on bisectors.
-void test_cut_through_the_middles()
+// By dense samples: each goes to the nearest corner.
+void test_energy_of_face()
 {
-  const auto tensor = [](const Vector_of_doubles& x)
-  { return Weighted_tensor(Symmetric_form(1 + 0.3*x.x, 0.1*x.y, 1 - 0.2*x.y), true); };
-  const std::array<Vector_of_doubles, 3> z = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
-  const auto integrate = [&](const std::array<Vector_of_doubles, 3>& corner, std::array<Region_contribution, 3>& sums) {
-    Acvt_element e;
-    e.corner = corner;
-    for(int i = 0; i < 3; ++i)
-      e.tensor[i] = tensor(corner[i]);
-    e.middle = tensor(e.barycentre());
-    e.sample_bends(tensor);
-    Clipped_element_integrator::Generators generators;
-    for(int i = 0; i < 3; ++i)
-      generators.push_back({z[i], &sums[i], i, {}});
-    return Clipped_element_integrator()(e, generators, nullptr);
-  };
-  const std::array<Vector_of_doubles, 3> middle = {{{0.7, 0.5}, {0.2, 0.45}, {0.5, 0.05}}};
-  std::array<Region_contribution, 3> whole, parts;
-  const double energy = integrate(z, whole);
-  double sum = integrate(middle, parts);
-  for(int i = 0; i < 3; ++i)
-    sum += integrate({z[i], middle[(i + 2) % 3], middle[(i + 1) % 3]}, parts);
-  CHECK_MSG(std::abs(sum / energy - 1) < 1e-3, std::to_string(sum / energy));
-  for(int i = 0; i < 3; ++i) {
-    CHECK(std::abs(parts[i].moments.a.a / whole[i].moments.a.a - 1) < 2e-3);
-    CHECK(std::hypot(parts[i].moments.gx - whole[i].moments.gx, parts[i].moments.gy - whole[i].moments.gy) < 2e-4);
+  const Test_face face;
+  std::array<Region_moments, 3> moments;
+  const double energy = face.by_parts(2, false, moments).energy;
+  double sum = 0;
+  const std::vector<Face_part> parts = similar_parts(300);
+  for(const Face_part& part : parts) {
+    const Vector_of_doubles x = point_of(face.z, part.barycentre);
+    double least = face.sample.tensor(x.x - face.z[0].x, x.y - face.z[0].y);
+    for(const Vector_of_doubles& z : face.z)
+      least = (std::min)(least, face.sample.tensor(x.x - z.x, x.y - z.y));
+    sum += least * area(face.z) / double(parts.size());
   }
+  CHECK_MSG(std::abs(energy / sum - 1) < 1e-4, std::to_string(energy / sum));
+}
+
+// The energy with its gradient is that of the regions: closed forms and divided parts agree all over a mesh with obtuse
+// faces, where regions reach into the faces nearby.
+void test_both_assemblies(const Case& c, Measure measure)
+{
+  const Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  Energy_by_faces<Mesh> energy(mesh, measure, 1);
+  std::vector<Region_moments> moments;
+  Bisector_hessian hessian;
+  const double with_gradient = energy(moments, hessian);
+  CHECK_MSG(std::abs(with_gradient / energy() - 1) < 1e-12, c.name);
 }
 
 // With a constant tensor 2 A - R is the Hessian, but for the regions that reach
@@ -194,7 +211,7 @@ void test_hessian()
   const std::vector<Mesh::Vertex_handle> vertices = free_vertices(mesh);
   std::vector<Region_moments> moments;
   Bisector_hessian couplings;
-  Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(moments, couplings);
+  Energy_by_faces<Mesh>(mesh, Measure::RIEMANNIAN)(moments, couplings);
 
   CGAL::Random random(3);
   Bisector_hessian::Vectors_of_floats direction(mesh.vertex_index_bound()), response;
@@ -207,7 +224,8 @@ void test_hessian()
     for(Mesh::Vertex_handle v : vertices)
       v->set_point(Point(v->point().x() + t * direction[v->index()].x, v->point().y() + t * direction[v->index()].y));
     std::vector<Region_moments> result;
-    Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(result);
+    Bisector_hessian ignored;
+    Energy_by_faces<Mesh>(mesh, Measure::RIEMANNIAN)(result, ignored);
     return result;
   };
   const std::vector<Region_moments> up = gradients_at(step), down = gradients_at(-2 * step);
@@ -223,6 +241,121 @@ void test_hessian()
     norm += dx*dx + dy*dy;
   }
   CHECK_MSG(std::sqrt(error / norm) < 0.01, "relative error of the Hessian " + std::to_string(std::sqrt(error / norm)));
+}
+
+class Recording_visitor
+{
+public:
+  explicit Recording_visitor(std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>& states) : m_states(&states) {}
+
+  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
+  {
+    m_states->push_back(s);
+    return true;
+  }
+
+private:
+  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>* m_states;
+};
+
+// Counts how often a field is asked.
+Case counting(const Case& c, std::size_t& calls)
+{
+  return {c.name, c.domain, [c, &calls](const Point& p) { ++calls; return c.field(p); }, c.area};
+}
+
+// The metric is sampled a bounded number of times, whatever it is, and from then on not any more.
+void test_number_of_samples(const Case& c, double calls_per_vertex)
+{
+  std::size_t calls = 0;
+  const Case counted = counting(c, calls);
+  const Mesh mesh = CGAL::make_anisotropic_mesh_2(counted.domain, counted.field);
+  calls = 0;
+  Sampled_metric<Mesh> metric(mesh);
+  CHECK_MSG(double(calls) < calls_per_vertex * double(mesh.number_of_vertices()), c.name + ": " + std::to_string(calls));
+  calls = 0;
+  for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+    metric(v);
+  CHECK(calls == 0);
+  Mesh optimized = mesh;
+  CGAL::optimize_anisotropic_mesh_2(optimized, np::quality_moves(false).number_of_iterations(30));
+  CHECK_MSG(double(calls) < (calls_per_vertex + 3) * double(mesh.number_of_vertices()), c.name);
+}
+
+// The interpolated tensor of each face is that of the field, whichever vertex of the face the search starts at, also
+// around the tips of notches.
+void test_sampled_tensors(const Case& c, double tolerance)
+{
+  const Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  const Sampled_metric<Mesh> metric(mesh);
+  double largest = 0;
+  for(const auto f : mesh.faces_in_domain()) {
+    const Triangle_of_doubles z = triangle_of_doubles(f);
+    const Vector_of_doubles x = point_of(z, {{0.2, 0.3, 0.5}});
+    const Symmetric_form m(c.field(Point(x.x, x.y)));
+    for(int i = 0; i < 3; ++i) {
+      const Symmetric_form s = metric.tensor(x, f->vertex(i));
+      largest = (std::max)({largest, std::abs(s.determinant() / m.determinant() - 1),
+                            std::abs((s.a + s.c) / (m.a + m.c) - 1)});
+    }
+  }
+  CHECK_MSG(largest < tolerance, c.name + ": " + std::to_string(largest));
+}
+
+// A square with a slit of some width, around whose tip the sizes grow.
+Case notched_square()
+{
+  CGAL::Anisotropic_mesh_domain_2<K> domain;
+  domain.add_polygon(std::vector<Point>{{-1, -1}, {1, -1}, {1, -0.02}, {0, 0}, {1, 0.02}, {1, 1}, {-1, 1}});
+  return {"notch", domain, [](const Point& p)
+          { return Tensor::from_sizes(0.02 + 0.2 * std::hypot(p.x(), p.y()), 0.05 + 0.2 * std::abs(p.y() + 0.1)); }, 3.98};
+}
+
+// Metrics that no mesh of their size resolves.
+std::vector<Case> rough_cases()
+{
+  const auto cell = [](double x, double y) {
+    const unsigned h = (unsigned(40 * x) * 7919u + unsigned(40 * y) * 104729u) * 2654435761u;
+    return std::array<double, 2>{{(h >> 8) % 1000 / 1000., (h >> 18) % 1000 / 1000.}};
+  };
+  return {
+    {"step", box(0, 1), [](const Point& p)
+     { return Tensor::from_size(std::hypot(p.x() - 0.51, p.y() - 0.23) < 0.3 ? 0.02 : 0.25); }, 1},
+    {"checkerboard", box(0, 1), [](const Point& p)
+     { return Tensor::from_size((int(4 * p.x()) + int(4 * p.y())) % 2 == 0 ? 0.03 : 0.09); }, 1},
+    {"cells", box(0, 1), [cell](const Point& p) {
+       const auto c = cell(p.x(), p.y());
+       return Tensor::from_sizes(0.04 * std::exp(c[0] - 0.5), 0.04 * std::exp(c[1] - 0.5), 3 * c[0] * c[1]); }, 1},
+    {"turns", box(0, 1), [](const Point& p) { return Tensor::from_sizes(0.01, 0.2, 9 * p.x()); }, 1},
+    {"jump by 1000", box(0, 1), [](const Point& p) { return Tensor::from_sizes(p.x() < 0.5 ? 0.05 : 50, 0.05); }, 1}};
+}
+
+double merit(const CGAL::Anisotropic_mesh_2::Mesh_statistics& s)
+{
+  return s.edge_length_unit_share + s.quality_mean + s.quality_min / 10;
+}
+
+// Each iterate has a positive energy, and the mesh is not worse afterwards; where it would be, it is the same.
+void test_never_worse(const Case& c)
+{
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  const auto before = CGAL::anisotropic_mesh_statistics_2(start);
+  for(int iterations : {2, 40}) {
+    Mesh mesh = start;
+    std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> states;
+    const auto result = CGAL::optimize_anisotropic_mesh_2
+      (mesh, np::quality_moves(false).number_of_iterations(iterations).visitor(Recording_visitor(states)));
+    for(const auto& s : states)
+      CHECK_MSG(s.energy > 0, c.name);
+    const auto after = CGAL::anisotropic_mesh_statistics_2(mesh);
+    CHECK_MSG(merit(after) > merit(before) - 2e-3, // lengths by Simpson's rule decide, the statistics are exact
+              c.name + ": " + std::to_string(merit(before)) + ", " + std::to_string(merit(after)));
+    CHECK_MSG(mesh.is_valid(true), c.name);
+    if(!result.is_better) {
+      CHECK(generators_of(mesh) == generators_of(start));
+      CHECK(result.return_code == CGAL::CANT_IMPROVE_ANYMORE && result.energy == states.front().energy);
+    }
+  }
 }
 
 void check_mesh(const Mesh& mesh, const Mesh& start, const std::string& name)
@@ -243,38 +376,43 @@ void check_mesh(const Mesh& mesh, const Mesh& start, const std::string& name)
   CHECK_MSG(moved > 0, name);
 }
 
-// The slope of the energy along Lloyd's step is what the gradient says. Without the bends of the tensors within a
-// face the error is 1.6e-3, without the bends of the bisectors 4e-2.
-void test_slope(const Case& c, double tolerance)
+// The derivative of the energy along a random move of all free vertices, and along a smooth one, is what the gradient
+// says.
+template <template <class> class Metric>
+void test_slopes(const Case& c, Measure measure)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  CGAL::optimize_anisotropic_mesh_2(mesh, np::convergence(0.).quality_moves(false).number_of_iterations(5));
-  std::vector<Region_moments> moments, ignored;
-  Facewise_energy<Mesh> energy(mesh, Measure::RIEMANNIAN);
-  energy(moments);
+  Energy_by_faces<Mesh, Metric> energy(mesh, measure, 1);
+  std::vector<Region_moments> gradient, ignored;
+  Bisector_hessian hessian;
+  energy(gradient, hessian);
   const Free_vertices<Mesh> free(mesh);
   const std::vector<double> start = free.positions();
-  std::vector<double> step;
-  double expected = 0;
-  for(std::size_t i = 0; i < free.size(); ++i) {
-    const Region_moments& m = moments[free[i]->index()];
-    const Vector_of_doubles d = m.lloyd_move();
-    step.insert(step.end(), {d.x, d.y});
-    expected -= 2 * (m.gx*d.x + m.gy*d.y);
+  const double size = std::sqrt(c.area);
+  CGAL::Random random(5);
+  for(bool is_smooth : {false, true}) {
+    std::vector<double> step;
+    double expected = 0;
+    for(std::size_t i = 0; i < free.size(); ++i) {
+      const double x = start[2*i] / size, y = start[2*i + 1] / size;
+      const auto sizes = free[i]->metric_tensor().sizes();
+      const double h = (std::min)(sizes.h1, sizes.h2);
+      const double dx = h * (is_smooth ? std::sin(3*x) * std::cos(2*y) : random.get_double(-1, 1));
+      const double dy = h * (is_smooth ? std::cos(2*x + 1) : random.get_double(-1, 1));
+      step.insert(step.end(), {dx, dy});
+      expected -= 2 * (gradient[free[i]->index()].gx * dx + gradient[free[i]->index()].gy * dy);
+    }
+    const auto energy_at = [&](double t) {
+      std::vector<double> x = start;
+      add_multiple<CGAL::Sequential_tag>(x, t, step);
+      free.set_positions<CGAL::Sequential_tag>(x);
+      return energy(ignored, hessian);
+    };
+    const double t = 1e-5, slope = (energy_at(t) - energy_at(-t)) / (2*t);
+    CHECK_MSG(std::abs(slope - expected) <= 1e-4 * std::abs(expected), c.name + ": the slope "
+              + std::to_string(slope) + " instead of " + std::to_string(expected));
+    free.set_positions<CGAL::Sequential_tag>(start);
   }
-  const auto energy_at = [&](double t) {
-    std::vector<double> x = start;
-    for(std::size_t i = 0; i < x.size(); ++i)
-      x[i] += t * step[i];
-    free.set_positions<CGAL::Sequential_tag>(x);
-    for(std::size_t i = 0; i < free.size(); ++i)
-      free[i]->set_metric_tensor(c.field(free[i]->point()));
-    return energy(ignored);
-  };
-  // no face changes its rule by so small a step
-  const double t = 0.001, slope = (energy_at(t) - energy_at(-t)) / (2*t);
-  CHECK_MSG(std::abs(slope - expected) <= tolerance * std::abs(expected), c.name + ": the slope "
-            + std::to_string(slope) + " instead of " + std::to_string(expected));
 }
 
 // The quasi-Newton method is not worse than Lloyd's iteration after as many steps.
@@ -289,10 +427,9 @@ void test_lloyd(const Case& c, double rise)
   Mesh quick = start;
   CGAL::optimize_anisotropic_mesh_2(quick, np::convergence(0.).number_of_iterations(12));
   check_mesh(quick, start, c.name + " by the quasi-Newton method");
-  std::vector<Region_moments> ignored;
-  const double lloyd = Facewise_energy<Mesh>(mesh, Measure::RIEMANNIAN)(ignored);
-  const double newton = Facewise_energy<Mesh>(quick, Measure::RIEMANNIAN)(ignored);
-  const double before = Facewise_energy<Mesh>(start, Measure::RIEMANNIAN)(ignored);
+  const double lloyd = Energy_by_faces<Mesh>(mesh, Measure::RIEMANNIAN)();
+  const double newton = Energy_by_faces<Mesh>(quick, Measure::RIEMANNIAN)();
+  const double before = Energy_by_faces<Mesh>(start, Measure::RIEMANNIAN)();
   CHECK(lloyd < before);
   CHECK_MSG(newton < lloyd * (1 + rise), c.name);
 }
@@ -331,37 +468,17 @@ void test_energy_falls()
   }
 }
 
-class Recording_visitor
-{
-public:
-  explicit Recording_visitor(std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>& states) : m_states(&states) {}
-
-  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
-  {
-    m_states->push_back(s);
-    return true;
-  }
-
-private:
-  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>* m_states;
-};
-
-// The quasi-Newton method comes below the energy of Lloyd's 100th iterate in a
-// sixth of the evaluations; without the Hessian in its preconditioner it takes 20.
+// Fourteen iterations of the quasi-Newton method come below the energy of Lloyd's 100th iterate.
 void test_acceleration(const Case& c)
 {
   const Mesh start = CGAL::make_anisotropic_mesh_2
     (c.domain, c.field, np::point_placement(CGAL::Anisotropic_mesh_2::Point_placement::EDGE_SUBDIVISION));
   Mesh by_lloyd = start, quick = start;
-  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> lloyd, newton;
-  CGAL::optimize_anisotropic_mesh_2
-    (by_lloyd, lloyd_method.convergence(0.).number_of_iterations(100).visitor(Recording_visitor(lloyd)));
-  CGAL::optimize_anisotropic_mesh_2(quick, np::convergence(0.).number_of_iterations(25).visitor(Recording_visitor(newton)));
-  CHECK(newton.front().energy == lloyd.front().energy);
-  const auto below = std::find_if(newton.begin(), newton.end(),
-                                  [&](const auto& s) { return s.energy < lloyd.back().energy; });
-  CHECK_MSG(below != newton.end() && below->evaluations <= 16, c.name + ": "
-            + std::to_string(below == newton.end() ? 0 : below->evaluations) + " evaluations");
+  CGAL::optimize_anisotropic_mesh_2(by_lloyd, lloyd_method.convergence(0.).number_of_iterations(100));
+  CGAL::optimize_anisotropic_mesh_2(quick, np::convergence(0.).number_of_iterations(14).quality_moves(false));
+  const double lloyd = Energy_by_faces<Mesh>(by_lloyd, Measure::RIEMANNIAN)();
+  const double newton = Energy_by_faces<Mesh>(quick, Measure::RIEMANNIAN)();
+  CHECK_MSG(newton < lloyd, c.name + ": " + std::to_string(newton) + " against " + std::to_string(lloyd));
 }
 
 // The triangulation updated in place and the one built anew from the empty mesh
@@ -371,12 +488,12 @@ void test_ways_to_move(const Case& c)
   const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
   Mesh in_place = start, rebuilt = start;
   const auto method = [](auto& optimizer) { return optimizer.quasi_newton(); };
-  const auto parameters = np::convergence(0.).number_of_iterations(30);
-  optimize_acvt<CGAL::Sequential_tag, Vertex_mover<Mesh> >(in_place, 0., method, parameters);
-  optimize_acvt<CGAL::Sequential_tag, Vertex_reinserter<Mesh> >(rebuilt, 0., method, parameters);
-  std::vector<Region_moments> ignored;
-  const double ratio = Facewise_energy<Mesh>(in_place, Measure::RIEMANNIAN)(ignored)
-                     / Facewise_energy<Mesh>(rebuilt, Measure::RIEMANNIAN)(ignored);
+  const auto parameters = np::convergence(0.);
+  const Stopping_criteria criteria{30, 0, 0, 0};
+  optimize_acvt<CGAL::Sequential_tag, Vertex_mover>(in_place, method, criteria, 1, parameters);
+  optimize_acvt<CGAL::Sequential_tag, Vertex_reinserter>(rebuilt, method, criteria, 1, parameters);
+  const double ratio = Energy_by_faces<Mesh>(in_place, Measure::RIEMANNIAN)()
+                     / Energy_by_faces<Mesh>(rebuilt, Measure::RIEMANNIAN)();
   CHECK_MSG(std::abs(ratio - 1) < 2e-3, c.name + ": energy in place over that of a rebuild " + std::to_string(ratio));
   CHECK(in_place.is_valid() && rebuilt.is_valid());
 }
@@ -399,7 +516,7 @@ void test_end_of_descent(const Case& c)
   const auto result = CGAL::optimize_anisotropic_mesh_2
     (mesh, np::convergence(0.).energy_reduction(0.).quality_moves(false).number_of_iterations(200));
   CHECK(result.return_code == CGAL::CANT_IMPROVE_ANYMORE);
-  CHECK_MSG(result.iterations < 100 && result.evaluations <= result.iterations + 3, c.name + ": "
+  CHECK_MSG(result.iterations < 100 && result.evaluations <= 2 * result.iterations, c.name + ": "
             + std::to_string(result.evaluations) + " evaluations for " + std::to_string(result.iterations));
 }
 
@@ -482,9 +599,21 @@ int main()
 {
   const std::vector<Case> cases = paper_cases();
   test_constant_metric_in_closed_form();
-  test_both_integrators(0, 1e-14);
-  test_both_integrators(0.1, 5e-3);
-  test_cut_through_the_middles();
+  test_closed_form(true);
+  test_closed_form(false);
+  test_energy_of_face();
+  for(Measure measure : {Measure::RIEMANNIAN, Measure::LEBESGUE})
+    for(const Case& c : cases)
+      test_both_assemblies(c, measure);
+  test_number_of_samples(cases[0], 6);
+  test_number_of_samples(unit_square_cases()[0], 6);
+  test_number_of_samples(rough_cases()[2], 60);
+  test_sampled_tensors(cases[0], 1e-10);
+  test_sampled_tensors(cases[1], 0.1);
+  test_sampled_tensors(notched_square(), 0.2);
+  for(const Case& c : rough_cases())
+    test_never_worse(c);
+  test_never_worse(notched_square());
   test_hessian();
   test_moments(cases[4], Measure::RIEMANNIAN, 0.003, 0.005);
   test_moments(cases[1], Measure::RIEMANNIAN, 0.005, 0.01);
@@ -496,6 +625,8 @@ int main()
   test_energy_falls();
   for(std::size_t i : {0, 2, 4})
     test_acceleration(cases[i]);
+  test_acceleration({"square4, finer", cases[1].domain, [&](const Point& p) { return cases[1].field(p).scaled(0.4); }, 16});
+  test_acceleration(unit_square_cases()[2]);
   for(const Case& c : cases)
     test_ways_to_move(c);
   test_evaluations_of_rough_metrics(cases[3]);
@@ -503,8 +634,10 @@ int main()
   test_end_of_descent(cases[1]);
   test_end_of_descent(unit_square_cases()[1]);
   test_energy_reduction(cases[4]);
-  test_slope(cases[0], 1e-6);
-  test_slope(unit_square_cases()[0], 5e-4);
+  for(const Case& c : {cases[0], cases[1], cases[2], cases[3], unit_square_cases()[1], unit_square_cases()[2]}) {
+    test_slopes<Sampled_metric>(c, Measure::RIEMANNIAN);
+    test_slopes<Field_metric>(c, Measure::LEBESGUE);
+  }
   test_return_codes();
   test_failing_field();
   test_determinism();

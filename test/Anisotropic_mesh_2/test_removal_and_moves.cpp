@@ -677,7 +677,8 @@ void test_moves_taken_back()
       CHECK(vertices[i]->point() == old[i]);
     CHECK(mesh.is_valid(true));
   };
-  CGAL::Anisotropic_mesh_2::internal::Vertex_mover<Fine_mesh> mover(mesh);
+  CGAL::Anisotropic_mesh_2::internal::Field_metric<Fine_mesh> metric(mesh);
+  CGAL::Anisotropic_mesh_2::internal::Vertex_mover<Fine_mesh> mover(mesh, metric);
   const std::vector<double> start = mover.free_vertices().positions();
   std::vector<double> target = start;
   for(double& x : target)
@@ -692,7 +693,7 @@ void test_moves_taken_back()
   CHECK(vertices[0]->point() == Fine_point(target[0], target[1]));
   mover.move_to(start);
   stand_as_before();
-  CGAL::Anisotropic_mesh_2::internal::Vertex_reinserter<Fine_mesh> reinserter(mesh);
+  CGAL::Anisotropic_mesh_2::internal::Vertex_reinserter<Fine_mesh> reinserter(mesh, metric);
   reinserter.move_to(target);
   reinserter.move_to(start);
   std::set<Fine_point> now;

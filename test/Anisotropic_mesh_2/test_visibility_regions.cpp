@@ -2,13 +2,13 @@
 // cells where the metric allows them and dense samples elsewhere.
 
 #include "check.h"
+#include "Energy_by_faces.h"
 #include "brute_force_acvt.h"
 #include "meshes.h"
 
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mass_centre_2.h>
 #include <CGAL/anisotropic_visibility_region_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Visibility_energy.h>
 
 #include <algorithm>
@@ -275,7 +275,7 @@ bool has_acute_star(const Mesh& mesh, Mesh::Vertex_handle v)
 // Where a star is obtuse, a part of the cell may be hidden from the generator,
 // and beyond the faces that the quick assembly looks at.
 template <class Energy>
-Errors errors_against_samples(const Mesh& mesh, const std::vector<Brute_force::Moments>& exact, Energy energy)
+Errors errors_against_samples(const Mesh& mesh, const std::vector<Brute_force::Moments>& exact, Energy&& energy)
 {
   std::vector<Region_moments> moments;
   energy(moments);
@@ -300,7 +300,7 @@ void test_accuracy(const Case& c, Measure measure, bool faces_too)
   const Mesh mesh = optimized_mesh(c, measure, 50);
   const auto exact = moments_by_samples(mesh, c.field, measure, 40);
   const Errors regions = errors_against_samples(mesh, exact, Visibility_energy<Mesh>(mesh, measure));
-  const Errors faces = errors_against_samples(mesh, exact, Facewise_energy<Mesh>(mesh, measure));
+  const Errors faces = errors_against_samples(mesh, exact, Energy_by_faces<Mesh>(mesh, measure));
   std::cout << c.name << ": errors of mass centres, mean and largest: visibility regions "
             << regions.mean_of_centres << ' ' << regions.largest_of_centres << ", faces "
             << faces.mean_of_centres << ' ' << faces.largest_of_centres << std::endl;
@@ -486,7 +486,7 @@ void test_preconditions()
 // ---------------------------------------------------------------- optimizers
 
 template <class Energy>
-double value(Energy energy)
+double value(Energy&& energy)
 {
   std::vector<Region_moments> ignored;
   return energy(ignored);
@@ -502,7 +502,10 @@ void test_optimizers()
       return CGAL::optimize_anisotropic_mesh_2
         (mesh, np::region_evaluation(evaluation).measure(measure).number_of_iterations(0)).energy;
     };
-    CHECK(first_energy(Region_evaluation::BY_FACES) == value(Facewise_energy<Mesh>(start, measure)));
+    CHECK(std::abs(first_energy(Region_evaluation::BY_FACES)
+                   / value(Energy_by_faces<Mesh, Sampled_metric>(start, measure, 1)) - 1) < 1e-12);
+    CHECK(std::abs(first_energy(Region_evaluation::BY_FACES_EXACTLY)
+                   / value(Energy_by_faces<Mesh>(start, measure, 1)) - 1) < 1e-12);
     CHECK(first_energy(Region_evaluation::VISIBILITY_REGIONS) == value(Visibility_energy<Mesh>(start, measure)));
     CHECK(first_energy(Region_evaluation::FULL_REGIONS) == value(Full_region_energy<Mesh>(start, measure)));
     const auto parameters = np::region_evaluation(Region_evaluation::VISIBILITY_REGIONS)
@@ -517,14 +520,14 @@ void test_optimizers()
     for(const Mesh* mesh : {&lloyd, &quick}) {
       CHECK(mesh->is_valid(true) && mesh->number_of_vertices() == start.number_of_vertices());
       CHECK(value(Visibility_energy<Mesh>(*mesh, measure)) < value(Visibility_energy<Mesh>(start, measure)));
-      CHECK(value(Facewise_energy<Mesh>(*mesh, measure)) < value(Facewise_energy<Mesh>(start, measure)));
+      CHECK(value(Energy_by_faces<Mesh>(*mesh, measure)) < value(Energy_by_faces<Mesh>(start, measure)));
     }
     Mesh by_faces = start;
     CGAL::optimize_anisotropic_mesh_2
       (by_faces, lloyd_method.region_evaluation(Region_evaluation::BY_FACES).measure(measure).convergence(0.)
                    .number_of_iterations(8));
-    const double energy = value(Facewise_energy<Mesh>(by_faces, measure));
-    CHECK(std::abs(value(Facewise_energy<Mesh>(lloyd, measure)) / energy - 1) < 0.01);
+    const double energy = value(Energy_by_faces<Mesh>(by_faces, measure));
+    CHECK(std::abs(value(Energy_by_faces<Mesh>(lloyd, measure)) / energy - 1) < 0.01);
     CHECK(vertex_at(by_faces, free_vertices(lloyd)[0]->point()) == Mesh::Vertex_handle()); // not by the same means
   }
 }

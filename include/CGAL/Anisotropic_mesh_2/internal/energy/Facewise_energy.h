@@ -10,6 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Face_block_assembler.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Bisector_hessian.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 
@@ -20,92 +21,106 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// The energy of the anisotropic Voronoi tessellation of the vertices of a mesh
-// and the moments of the regions, assembled face by face: each face is divided
-// among the vertices nearby by their bisectors. Where the metric varies within
-// a face, the face is quartered until it does not, so that mild metrics do not
-// pay for rough ones.
+// The energy of the anisotropic Voronoi tessellation of the vertices of a mesh,
+// assembled face by face. A face is taken in the tensor of its barycentre or, where the metric
+// varies, divided into parts with a tensor each; the division is chosen at the construction, so that it
+// is the same energy as long as vertices move.
 //
 // Faces are treated in blocks, whose sums are added in their order.
-template <class Mesh, class ConcurrencyTag = Sequential_tag>
+template <class Mesh, class ConcurrencyTag = Sequential_tag, class Metric = Field_metric<Mesh> >
 class Facewise_energy
 {
   typedef std::vector<typename Mesh::Face_handle> Faces;
+  typedef Face_block_assembler<Mesh, Metric>      Block;
 
 public:
   static constexpr bool has_couplings = true;
 
-  Facewise_energy(const Mesh& mesh, Measure measure, const Acvt_accuracy& accuracy = Acvt_accuracy())
+  // Edges are halved where the logarithm of the metric varies by more than
+  // `tolerance`, and quartered from twice that on.
+  Facewise_energy(const Mesh& mesh, const Metric& metric, Measure measure, double tolerance)
     : m_mesh(mesh), m_is_riemannian(measure == Measure::RIEMANNIAN),
-      m_assemblers(blocks_at_once, Face_block_assembler<Mesh>(mesh, m_is_riemannian, accuracy))
+      m_parts(parts_at_vertices(mesh, metric, tolerance)),
+      m_assemblers(blocks_at_once, Block(mesh, metric, m_parts, m_is_riemannian))
   {}
 
-  // Returns the energy and sets the moments, by the index of the vertex.
-  double operator()(std::vector<Region_moments>& moments) { return assemble(moments, nullptr); }
+  Facewise_energy(const Facewise_energy&) = delete;
 
-  // Sets the couplings as well.
-  double operator()(std::vector<Region_moments>& moments, Bisector_hessian& couplings)
+  // Returns the energy of the regions and sets their moments, by the index of the vertex.
+  double operator()(std::vector<Region_moments>& moments)
   {
-    return assemble(moments, &couplings);
+    moments.assign(m_mesh.vertex_index_bound(), Region_moments());
+    return add_faces(m_mesh.faces_in_domain(), moments);
   }
 
-  // Returns the energy in the given faces alone, and adds their share to the moments.
+  // The same, but with the integrals of w M (x - z) replaced by minus half of the exact gradient, which differs by what
+  // moves with the faces; and an approximate Hessian.
+  double operator()(std::vector<Region_moments>& moments, Bisector_hessian& couplings)
+  {
+    const Faces faces = m_mesh.faces_in_domain();
+    moments.assign(m_mesh.vertex_index_bound(), Region_moments());
+    resize(couplings, faces);
+    return assemble(faces, [&](Block& block, const auto* begin, const auto* end, std::size_t b) {
+      block.add_gradient(begin, end, couplings.block(b));
+    }, [&](const Block& block) { add_block(block, moments, &couplings); });
+  }
+
+  // Returns the energy of the regions in the given faces alone, and adds their share to the moments.
   double add_faces(const Faces& faces, std::vector<Region_moments>& moments)
   {
-    return assemble(faces, moments, nullptr);
+    return assemble(faces, [&](Block& block, const auto* begin, const auto* end, std::size_t) {
+      block.add_regions(begin, end);
+    }, [&](const Block& block) { add_block(block, moments, nullptr); });
   }
 
 private:
   static constexpr std::size_t faces_of_block = 512;
   static constexpr std::size_t blocks_at_once = is_parallel<ConcurrencyTag> ? 128 : 1;
 
-  double assemble(std::vector<Region_moments>& moments, Bisector_hessian* couplings)
+  static std::vector<unsigned char> parts_at_vertices(const Mesh& mesh, const Metric& metric, double tolerance)
   {
-    m_faces = m_mesh.faces_in_domain();
-    moments.assign(m_mesh.vertex_index_bound(), Region_moments());
-    return assemble(m_faces, moments, couplings);
+    std::vector<unsigned char> parts(mesh.vertex_index_bound(), 1);
+    for(const auto v : mesh.vertices_in_domain()) {
+      const double variation = metric.variation(v);
+      parts[v->index()] = variation > 2 * tolerance ? 4 : variation > tolerance ? 2 : 1;
+    }
+    return parts;
   }
 
-  double assemble(const Faces& faces, std::vector<Region_moments>& moments, Bisector_hessian* couplings)
+  template <class Work, class Add>
+  double assemble(const Faces& faces, const Work& work, const Add& add)
   {
     const std::size_t number_of_blocks = number_of_chunks(faces.size(), faces_of_block);
-    if(couplings)
-      resize(*couplings, faces, number_of_blocks);
     double energy = 0;
     for(std::size_t first = 0; first < number_of_blocks; first += blocks_at_once) {
       const std::size_t n = (std::min)(blocks_at_once, number_of_blocks - first);
       for_each_task<ConcurrencyTag>(n, [&](std::size_t i) {
-        assemble_block(m_assemblers[i], faces, first + i, couplings);
+        const std::size_t begin = (first + i) * faces_of_block, end = (std::min)(faces.size(), begin + faces_of_block);
+        work(m_assemblers[i], faces.data() + begin, faces.data() + end, first + i);
       });
-      for(std::size_t i = 0; i < n; ++i)
-        energy += add_block(m_assemblers[i], moments, couplings);
+      for(std::size_t i = 0; i < n; ++i) {
+        energy += m_assemblers[i].energy();
+        add(m_assemblers[i]);
+      }
     }
     return energy;
   }
 
-  static void assemble_block(Face_block_assembler<Mesh>& assembler, const Faces& faces, std::size_t b,
-                             Bisector_hessian* couplings)
-  {
-    const std::size_t begin = b * faces_of_block, end = (std::min)(faces.size(), begin + faces_of_block);
-    assembler(faces.data() + begin, faces.data() + end, couplings ? &couplings->block(b) : nullptr);
-  }
-
   // with the units of a face
-  void resize(Bisector_hessian& couplings, const Faces& faces, std::size_t number_of_blocks) const
+  void resize(Bisector_hessian& couplings, const Faces& faces) const
   {
     double length = 1, stiffness = 1;
     if(!faces.empty()) {
       const auto u = faces.front()->vertex(0), v = faces.front()->vertex(1);
       const Vector_of_doubles p = to_doubles(u->point()), q = to_doubles(v->point());
-      const Weighted_tensor m(Symmetric_form(u->metric_tensor()), m_is_riemannian);
+      const Symmetric_form m(u->metric_tensor());
       length = (std::max)(std::abs(p.x - q.x), std::abs(p.y - q.y));
-      stiffness = (m.weighted.a + m.weighted.c) * length * length;
+      stiffness = (m_is_riemannian ? std::sqrt(m.determinant()) : 1) * (m.a + m.c) * length * length;
     }
-    couplings.resize(number_of_blocks, m_mesh.vertex_index_bound(), length, stiffness);
+    couplings.resize(number_of_chunks(faces.size(), faces_of_block), m_mesh.vertex_index_bound(), length, stiffness);
   }
 
-  static double add_block(const Face_block_assembler<Mesh>& block, std::vector<Region_moments>& moments,
-                          Bisector_hessian* couplings)
+  static void add_block(const Block& block, std::vector<Region_moments>& moments, Bisector_hessian* couplings)
   {
     for(std::size_t i = 0; i < block.sums().size(); ++i) {
       const Region_contribution& sums = block.sums()[i];
@@ -113,13 +128,12 @@ private:
       if(couplings)
         couplings->add_response(block.vertices()[i], sums.response);
     }
-    return block.energy();
   }
 
   const Mesh& m_mesh;
   const bool  m_is_riemannian;
-  std::vector<Face_block_assembler<Mesh> > m_assemblers;
-  Faces                                    m_faces;
+  std::vector<unsigned char> m_parts; // by the index of the vertex
+  std::vector<Block>         m_assemblers;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -59,6 +59,14 @@ public:
   // Takes the vertices of the same indices, in their order, from another mesh.
   void find_in(const Mesh& mesh) { m_handles = free_vertices(mesh); }
 
+  // without those where the metric has jumps: the energy says nothing there
+  template <class Metric>
+  Free_vertices(const Mesh& mesh, const Metric& metric) : Free_vertices(mesh)
+  {
+    m_handles.erase(std::remove_if(m_handles.begin(), m_handles.end(),
+                                   [&](Vertex_handle v) { return !metric.is_resolved(v); }), m_handles.end());
+  }
+
   std::size_t size() const { return m_handles.size(); }
   Vertex_handle operator[](std::size_t i) const { return m_handles[i]; }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Flip_policy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Weighted_tensor.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
@@ -19,19 +20,19 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // Measures faces in the metric at their barycentres. Edges are rough where the tensors around them differ much.
-template <class Mesh>
+template <class Mesh, class Metric>
 class Quality_at_barycentre
 {
   typedef typename Mesh::Vertex_handle   Vertex_handle;
 
 public:
-  explicit Quality_at_barycentre(const Mesh& mesh)
-    : m_tensor(mesh.geom_traits().construct_metric_tensor_2_object())
-  {}
+  explicit Quality_at_barycentre(const Metric& metric) : m_metric(&metric) {}
 
   double operator()(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
   {
-    return quality_at_barycentre(u->point(), v->point(), w->point(), m_tensor);
+    const Vector_of_doubles a = to_doubles(u->point()), b = to_doubles(v->point()), c = to_doubles(w->point());
+    return metric_quality(u->point(), v->point(), w->point(),
+                          m_metric->tensor({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, u));
   }
 
   template <class Quadrilateral>
@@ -47,21 +48,22 @@ public:
 private:
   static constexpr double squared_roughness = 0.64;
 
-  const typename Mesh::Geom_traits::Construct_metric_tensor_2 m_tensor;
+  const Metric* m_metric;
 };
 
 // Flips edges of the domain, whose faces are given, until no flip is wanted any
 // more. Most edges need none: these are found first, by all threads.
-template <class ConcurrencyTag, class Mesh>
-void restore_connectivity(Mesh& mesh, const std::vector<typename Mesh::Face_handle>& faces)
+template <class ConcurrencyTag, class Mesh, class Metric>
+void restore_connectivity(Mesh& mesh, const std::vector<typename Mesh::Face_handle>& faces, const Metric& metric)
 {
   typedef typename Mesh::Edge Edge;
   if(faces.empty())
     return;
   const auto vertices = mesh.finite_vertex_handles();
   const bool is_uniform = have_multiples_of(vertices, (*vertices.begin())->metric_tensor());
-  Flip_policy<Mesh, Quality_at_barycentre<Mesh> >
-    policy(mesh, Quality_at_barycentre<Mesh>(mesh), mesh.number_of_faces(), is_uniform);
+  typedef Quality_at_barycentre<Mesh, Metric> Quality;
+  Flip_policy<Mesh, Quality>
+    policy(mesh, Quality(metric), mesh.number_of_faces(), is_uniform);
   mesh.flip_edges(selected_of_chunks<ConcurrencyTag, Edge>(faces.size(), [&](std::size_t k, auto& wanted) {
     for(int i = 0; i < 3; ++i)
       if(faces[k]->vertex(Mesh::ccw(i))->index() < faces[k]->vertex(Mesh::cw(i))->index()
@@ -73,7 +75,7 @@ void restore_connectivity(Mesh& mesh, const std::vector<typename Mesh::Face_hand
 template <class Mesh>
 void restore_connectivity(Mesh& mesh)
 {
-  restore_connectivity<Sequential_tag>(mesh, mesh.faces_in_domain());
+  restore_connectivity<Sequential_tag>(mesh, mesh.faces_in_domain(), Field_metric<Mesh>(mesh));
 }
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_SYMMETRIC_FORM_H
 
 #include <CGAL/Metric_tensor_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/difference_of_products.h>
 
 #include <CGAL/number_utils.h>
@@ -33,8 +34,13 @@ struct Symmetric_form
   double operator()(double x, double y) const { return (a*x + 2*b*y)*x + c*y*y; }
   double operator()(double x, double y, double u, double v) const { return (a*x + b*y)*u + (b*x + c*y)*v; }
 
+  Vector_of_doubles times(const Vector_of_doubles& v) const { return {a*v.x + b*v.y, b*v.x + c*v.y}; }
+
   // the length of (x, y), which rounding cannot make the root of a negative number
   double length(double x, double y) const { return std::sqrt((std::max)(0., (*this)(x, y))); }
+
+  // of Frobenius
+  double norm() const { return std::sqrt(a*a + 2*b*b + c*c); }
 
   double determinant() const { return difference_of_products(a, c, b, b); }
 

@@ -90,12 +90,10 @@ public:
 private:
   // Longest step, in the metric: beyond, the model of the energy is void.
   static constexpr double longest_step = 0.5;
-  static constexpr int    maximum_trials = 6;
-  // The energy jumps a little where elements are quartered or edges flipped.
-  static constexpr double energy_noise = 1e-4;
+  static constexpr int    maximum_trials = 3;
   static constexpr std::size_t patience = 10;
   // A step may raise the energy as long as it stays below the highest one of some
-  // steps before: that saves many evaluations, and noise does not stop the method.
+  // steps before: that saves many evaluations, and the flips after it do not stop the method.
   static constexpr std::size_t memory_of_energies = 8;
 
   void evaluate()
@@ -214,7 +212,7 @@ private:
       add_multiple<ConcurrencyTag>(target, t, d);
       m_mover.move_to(target);
       evaluate();
-      if(m_state.energy <= bound + 1e-4 * t * slope || is_level(old_energy, slope, d)) {
+      if(m_state.energy <= bound + 1e-4 * t * slope) {
         remember_step(start, old_gradient);
         return true;
       }
@@ -233,16 +231,6 @@ private:
     if(m_recent_energies.size() > memory_of_energies)
       m_recent_energies.pop_front();
     return *std::max_element(m_recent_energies.begin(), m_recent_energies.end());
-  }
-
-  // Whether the energy has not risen by more than noise while its slope along d
-  // has lost a good part of its steepness, so that d has been of use.
-  bool is_level(double old_energy, double old_slope, const Array& d) const
-  {
-    if(m_state.energy > old_energy * (1 + energy_noise))
-      return false;
-    const double slope = scalar_product<ConcurrencyTag>(gradient(), d);
-    return slope >= 0.8 * old_slope && slope <= -0.8 * old_slope;
   }
 
   // Whether the lowest energy so far is older than some iterations.

@@ -7,11 +7,14 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_MOVER_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Mesh_snapshot.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -19,7 +22,7 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 // Moves the free vertices of a mesh in place. A vertex whose move would invert
 // a face goes only a part of its way; afterwards the criterion of the
 // triangulation is restored by flips.
-template <class Mesh, class ConcurrencyTag = Sequential_tag>
+template <class Mesh, class Metric = Field_metric<Mesh>, class ConcurrencyTag = Sequential_tag>
 class Vertex_mover
 {
   typedef typename Mesh::Vertex_handle   Vertex_handle;
@@ -27,8 +30,8 @@ class Vertex_mover
   typedef std::vector<double>            Array; // of coordinates, as `Free_vertices` has them
 
 public:
-  explicit Vertex_mover(Mesh& mesh)
-    : m_mesh(mesh), m_free(mesh), m_faces(mesh.faces_in_domain())
+  Vertex_mover(Mesh& mesh, Metric& metric)
+    : m_mesh(mesh), m_metric(metric), m_free(mesh, metric), m_faces(mesh.faces_in_domain()), m_given(mesh)
   {}
 
   const Free_vertices<Mesh>& free_vertices() const { return m_free; }
@@ -41,13 +44,28 @@ public:
     m_free.template set_positions<ConcurrencyTag>(target);
     untangle(start, target);
     try {
-      evaluate_tensors();
+      set_tensors(m_metric);
     }
     catch(...) {
       m_free.template set_positions<ConcurrencyTag>(start);
       throw;
     }
-    restore_connectivity<ConcurrencyTag>(m_mesh, m_faces);
+    restore_connectivity<ConcurrencyTag>(m_mesh, m_faces, m_metric);
+  }
+
+  // Remembers the mesh as it is.
+  void keep() { m_kept.emplace(m_mesh); }
+
+  // Gives the mesh back as it was at the beginning, or when it was kept last, with the same handles.
+  void restore_given() { m_given.restore(m_mesh); }
+  void restore_kept() { m_kept->restore(m_mesh); }
+
+  // Sets the tensors of the field itself.
+  void finish()
+  {
+    const Field_metric<Mesh> field(m_mesh);
+    set_tensors(field);
+    restore_connectivity<ConcurrencyTag>(m_mesh, m_faces, m_metric);
   }
 
 private:
@@ -117,17 +135,20 @@ private:
   }
 
   // Sets all tensors or, if the field fails at a vertex, none.
-  void evaluate_tensors()
+  template <class AnyMetric>
+  void set_tensors(AnyMetric& metric)
   {
-    const auto tensor = m_mesh.geom_traits().construct_metric_tensor_2_object();
     m_tensors.resize(m_free.size());
-    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_tensors[i] = tensor(m_free[i]->point()); });
+    for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_tensors[i] = metric(m_free[i]); });
     for_each_index<ConcurrencyTag>(m_free.size(), [&](std::size_t i) { m_free[i]->set_metric_tensor(m_tensors[i]); });
   }
 
-  Mesh& m_mesh;
+  Mesh&   m_mesh;
+  Metric& m_metric;
   Free_vertices<Mesh>        m_free;
   std::vector<Face_handle>   m_faces; // of the domain; flips only change what they hold
+  const Mesh_snapshot<Mesh>           m_given;
+  std::optional<Mesh_snapshot<Mesh> > m_kept;
   std::vector<typename Mesh::Metric_tensor_2> m_tensors;
 };
 

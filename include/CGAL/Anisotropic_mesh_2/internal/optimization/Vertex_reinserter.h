@@ -21,7 +21,7 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 // Moves the free vertices of a mesh by inserting them again into the stored
 // empty mesh, as in section 4 of the paper. Vertices keep what they store,
 // handles do not stay valid.
-template <class Mesh>
+template <class Mesh, class Metric = Field_metric<Mesh>, class ConcurrencyTag = Sequential_tag>
 class Vertex_reinserter
 {
   typedef typename Mesh::Point           Point;
@@ -30,8 +30,8 @@ class Vertex_reinserter
   typedef std::vector<double>            Array; // of coordinates, as `Free_vertices` has them
 
 public:
-  explicit Vertex_reinserter(Mesh& mesh)
-    : m_mesh(mesh), m_empty(mesh.empty_mesh()), m_free(mesh)
+  Vertex_reinserter(Mesh& mesh, Metric& metric)
+    : m_mesh(mesh), m_metric(metric), m_empty(mesh.empty_mesh()), m_given(mesh), m_kept(m_empty), m_free(mesh)
   {}
 
   const Free_vertices<Mesh>& free_vertices() const { return m_free; }
@@ -46,7 +46,7 @@ public:
     for(std::size_t i : spatial_order(target)) {
       const Vertex_handle v = insert_on_the_way(next, start, target, i, hint);
       if(v == Vertex_handle()) {
-        Vertex_mover<Mesh>(m_mesh).move_to(target);
+        Vertex_mover<Mesh, Metric>(m_mesh, m_metric).move_to(target);
         return;
       }
       assign_data(*v, *m_free[i]);
@@ -58,7 +58,20 @@ public:
     m_free.find_in(m_mesh);
   }
 
+  void finish() {} // the tensors are those of the field
+
+  // as those of `Vertex_mover`, except for the handles
+  void keep() { m_kept = m_mesh; }
+  void restore_given() { restore(m_given); }
+  void restore_kept() { restore(m_kept); }
+
 private:
+  void restore(Mesh& mesh)
+  {
+    m_mesh.swap(mesh);
+    m_free = Free_vertices<Mesh>(m_mesh);
+  }
+
   static constexpr int halvings = 6;
 
   std::vector<std::size_t> spatial_order(const Array& positions) const
@@ -85,8 +98,9 @@ private:
     return Vertex_handle();
   }
 
-  Mesh& m_mesh;
-  Mesh m_empty;
+  Mesh&   m_mesh;
+  Metric& m_metric;
+  Mesh    m_empty, m_given, m_kept;
   Free_vertices<Mesh> m_free;
 };
 

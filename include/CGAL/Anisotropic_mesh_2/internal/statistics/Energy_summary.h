@@ -9,6 +9,7 @@
 
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Sampled_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/energy_of_hexagons.h>
@@ -34,7 +35,8 @@ public:
   // regions may reach into the `other_faces`.
   void add(const Mesh& mesh, const Faces& faces, const Faces& other_faces, const Vertices& vertices)
   {
-    Facewise_energy<Mesh, ConcurrencyTag> energy(mesh, m_measure, Acvt_accuracy{0.01, 0.05, 0.2, 3});
+    const Sampled_metric<Mesh> metric(ConcurrencyTag(), mesh);
+    Facewise_energy<Mesh, ConcurrencyTag, Sampled_metric<Mesh> > energy(mesh, metric, m_measure, 0.1);
     std::vector<Region_moments> moments(mesh.vertex_index_bound());
     m_energy += energy.add_faces(faces, moments);
     energy.add_faces(other_faces, moments);
