@@ -32,6 +32,8 @@ public:
   {
     const Triangle_of_doubles l = {in_lattice(t[0]), in_lattice(t[1]), in_lattice(t[2])};
     const auto y = std::minmax({l[0].y, l[1].y, l[2].y});
+    if(!are_countable(l) || y.second - y.first > maximum_of_rows)
+      return;
     for(double row = std::ceil(y.first); row <= y.second; ++row) {
       double from = HUGE_VAL, to = -HUGE_VAL;
       for(int i = 0; i < 3; ++i)
@@ -43,6 +45,15 @@ public:
 
 private:
   static constexpr double turn = 0.4, sixty_degrees = 1.0471975511965976; // radians
+  static constexpr double maximum_of_rows = 1e5; // needles that have more are not worth it
+
+  // whether the next whole number is another one, as it is not far from the origin
+  static bool are_countable(const Triangle_of_doubles& l)
+  {
+    return std::all_of(l.begin(), l.end(), [](const Vector_of_doubles& p) {
+      return std::abs(p.x) < 1e15 && std::abs(p.y) < 1e15;
+    });
+  }
 
   Vector_of_doubles in_lattice(const Vector_of_doubles& p) const
   {
