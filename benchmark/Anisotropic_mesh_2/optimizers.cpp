@@ -37,7 +37,7 @@ typedef internal::Sampled_metric<Mesh>                      Metric;
 typedef internal::Facewise_energy<Mesh, CGAL::Sequential_tag, Metric> Energy;
 typedef internal::Vertex_mover<Mesh, Metric>                Mover;
 
-constexpr double tolerance = 0.1; // of the energy: as fine as Lloyd needs it
+constexpr double tolerance = internal::accurate_tolerance; // for all of them, so that energies can be compared
 
 constexpr std::size_t bound = 100;
 

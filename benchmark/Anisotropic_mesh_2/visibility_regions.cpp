@@ -105,7 +105,7 @@ void print_table(const std::string& name, double side, const Field& field)
   finest.parts_of_radius = 32;
   const std::vector<Region> reference = regions(mesh, finest);
   const internal::Field_metric<decltype(mesh)> metric(mesh);
-  internal::Facewise_energy<decltype(mesh)> by_faces(mesh, metric, measure, 1);
+  internal::Facewise_energy<decltype(mesh)> by_faces(mesh, metric, measure, internal::accurate_tolerance);
   std::cout << "\n" << name << ", " << mesh.number_of_vertices() << " vertices; by faces: " << std::setprecision(3)
             << microseconds_per_vertex(by_faces, mesh)
             << " us per vertex\n\n"

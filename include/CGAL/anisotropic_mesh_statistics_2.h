@@ -106,7 +106,6 @@ public:
       return m_result;
     measure_shapes();
     measure_energy();
-    m_result.warning = mesh_warning(m_mesh);
     return m_result;
   }
 
@@ -146,8 +145,11 @@ private:
   void measure_energy()
   {
     Energy_summary<Mesh, ConcurrencyTag> summary(m_measure);
-    summary.add(m_mesh, m_faces, {}, free_vertices(m_mesh));
+    const auto vertices = free_vertices(m_mesh);
+    summary.add(m_mesh, m_faces, {}, vertices);
     summary.write_to(m_result);
+    if(!follows_metric(double(vertices.size()), m_result.ideal_vertices, m_result.quality_mean))
+      m_result.warning = mesh_warning(m_mesh);
   }
 
   const Mesh& m_mesh;

@@ -51,7 +51,8 @@ struct Quality_improvement
 /// the metric changes much within a face, vertices are moved, and vertices are inserted or removed if that helps (edge
 /// swapping and vertex smoothing in section 3.2 of \cgalCite{dw-acvt-05}). Faces of a quality below 0.88 are tried, the
 /// worst ones first. The sum of the penalties \f$ q^{-6} - 1 \f$ of the faces falls with each change, the least quality
-/// around it does not, and no more edges than before are outside of \f$ [\sqrt{1/2}, \sqrt 2] \f$.
+/// around it does not, and no more edges than before are outside of \f$ [\sqrt{1/2}, \sqrt 2] \f$. No vertex is removed
+/// once there are three percent less than the metric asks for, or than there were if these are less.
 ///
 /// `optimize_anisotropic_mesh_2()` calls this function at the end unless it is told not to; alone it is of use for
 /// meshes that are optimized already.

@@ -132,7 +132,7 @@ Optimization_result optimize_energy(Mesh& mesh, Energy& energy, Metric& metric, 
   const bool is_unit_mesh_wanted
     = choose_parameter(get_parameter(np, measure_t()), Measure::RIEMANNIAN) == Measure::RIEMANNIAN;
   const auto merit = [&](const Optimization_state& s) {
-    return is_unit_mesh_wanted ? Unit_mesh_merit(ConcurrencyTag(), mesh, metric).value() : -s.energy;
+    return is_unit_mesh_wanted ? Unit_mesh_merit<ConcurrencyTag, Mesh, Metric>(mesh, metric)() : -s.energy;
   };
   Best_mesh_keeper<decltype(merit), Mover, decltype(visitor)> keeper(merit, mover, visitor);
   Acvt_optimizer<ConcurrencyTag, Energy, Mover, decltype(keeper)> optimizer(energy, mover, criteria, keeper);
@@ -156,8 +156,7 @@ Optimization_result optimize_energy(Mesh& mesh, Energy& energy, Metric& metric, 
   return result;
 }
 
-// Chooses the energy, and what both it and the mover take the metric from. Where the metric varies by more than
-// `tolerance` in a face, its faces are divided.
+// Chooses the energy, and what both it and the mover take the metric from. The tolerance is that of `Facewise_energy`.
 template <class ConcurrencyTag, template <class, class, class> class Mover, class Mesh, class Method,
           class NamedParameters>
 Optimization_result optimize_acvt(Mesh& mesh, const Method& method, const Stopping_criteria& criteria,
@@ -197,17 +196,15 @@ Optimization_result optimize_acvt(Mesh& mesh, const Method& method, const Stoppi
 template <class ConcurrencyTag, class Mesh, class NamedParameters>
 Optimization_result optimize_by_lloyd(Mesh& mesh, const NamedParameters& np)
 {
-  const double tolerance = 0.1; // its steps come from the regions, not from the gradient of their discrete energy
   return optimize_acvt<ConcurrencyTag, Vertex_reinserter>
-    (mesh, [](auto& optimizer) { return optimizer.lloyd(); }, stopping_criteria(0., np), tolerance, np);
+    (mesh, [](auto& optimizer) { return optimizer.lloyd(); }, stopping_criteria(0., np), accurate_tolerance, np);
 }
 
 template <class ConcurrencyTag, class Mesh, class NamedParameters>
 Optimization_result optimize_by_quasi_newton(Mesh& mesh, const NamedParameters& np)
 {
-  const double tolerance = 1;
   return optimize_acvt<ConcurrencyTag, Vertex_mover>
-    (mesh, [](auto& optimizer) { return optimizer.quasi_newton(); }, stopping_criteria(3e-4, np), tolerance, np);
+    (mesh, [](auto& optimizer) { return optimizer.quasi_newton(); }, stopping_criteria(3e-4, np), quick_tolerance, np);
 }
 
 template <class NamedParameters>

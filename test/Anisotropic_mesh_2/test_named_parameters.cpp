@@ -7,6 +7,7 @@
 // Named parameters: they chain in any order, with those of CGAL too, and their values arrive.
 
 #include "check.h"
+#include "Recording_visitor.h"
 #include "meshes.h"
 
 #include <CGAL/Anisotropic_mesh_2/parameters.h>
@@ -115,24 +116,13 @@ void test_parameters_of_meshers()
   }
 }
 
-struct Recorder
-{
-  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>* states;
-
-  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
-  {
-    states->push_back(s);
-    return true;
-  }
-};
-
 // A mesh is copied and optimized; what is returned agrees with what a visitor has seen last, or of the mesh that was
 // kept because it is better.
 template <class NamedParameters>
 CGAL::Anisotropic_mesh_2::Optimization_result optimized(Mesh mesh, const NamedParameters& parameters)
 {
   std::vector<CGAL::Anisotropic_mesh_2::Optimization_state> states;
-  const auto result = CGAL::optimize_anisotropic_mesh_2(mesh, parameters.visitor(Recorder{&states}));
+  const auto result = CGAL::optimize_anisotropic_mesh_2(mesh, parameters.visitor(Recording_visitor(states)));
   CHECK(states.size() == result.iterations + 1 && states.back().iteration == result.iterations);
   CHECK(std::any_of(states.begin(), states.end(), [&](const auto& s) {
           return s.energy == result.energy && s.largest_move == result.largest_move;

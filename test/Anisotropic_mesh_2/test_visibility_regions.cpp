@@ -503,9 +503,9 @@ void test_optimizers()
         (mesh, np::region_evaluation(evaluation).measure(measure).number_of_iterations(0)).energy;
     };
     CHECK(std::abs(first_energy(Region_evaluation::BY_FACES)
-                   / value(Energy_by_faces<Mesh, Sampled_metric>(start, measure, 1)) - 1) < 1e-12);
+                   / value(Energy_by_faces<Mesh, Sampled_metric>(start, measure, quick_tolerance)) - 1) < 1e-12);
     CHECK(std::abs(first_energy(Region_evaluation::BY_FACES_EXACTLY)
-                   / value(Energy_by_faces<Mesh>(start, measure, 1)) - 1) < 1e-12);
+                   / value(Energy_by_faces<Mesh>(start, measure, quick_tolerance)) - 1) < 1e-12);
     CHECK(first_energy(Region_evaluation::VISIBILITY_REGIONS) == value(Visibility_energy<Mesh>(start, measure)));
     CHECK(first_energy(Region_evaluation::FULL_REGIONS) == value(Full_region_energy<Mesh>(start, measure)));
     const auto parameters = np::region_evaluation(Region_evaluation::VISIBILITY_REGIONS)

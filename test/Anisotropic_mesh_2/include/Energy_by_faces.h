@@ -21,7 +21,8 @@ class Energy_by_faces
   typedef CGAL::Anisotropic_mesh_2::internal::Region_moments Region_moments;
 
 public:
-  Energy_by_faces(const Mesh& mesh, CGAL::Anisotropic_mesh_2::Measure measure, double tolerance = 0.1)
+  Energy_by_faces(const Mesh& mesh, CGAL::Anisotropic_mesh_2::Measure measure,
+                  double tolerance = CGAL::Anisotropic_mesh_2::internal::accurate_tolerance)
     : m_metric(mesh), m_energy(mesh, m_metric, measure, tolerance)
   {}
 

@@ -15,6 +15,7 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 typedef std::array<Vector_of_doubles, 3> Triangle_of_doubles;
+typedef std::array<double, 3>            Barycentric; // coordinates
 
 // of a face of a triangulation
 template <class Face_handle>
@@ -28,12 +29,27 @@ inline double area(const Triangle_of_doubles& t)
   return ((t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x)) / 2;
 }
 
+inline Vector_of_doubles barycentre(const Triangle_of_doubles& t)
+{
+  return {(t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3};
+}
+
+inline Vector_of_doubles point_of(const Triangle_of_doubles& t, const Barycentric& l)
+{
+  return {l[0]*t[0].x + l[1]*t[1].x + l[2]*t[2].x, l[0]*t[0].y + l[1]*t[1].y + l[2]*t[2].y};
+}
+
+// of the edges, by the opposite corner
+inline Triangle_of_doubles middles(const Triangle_of_doubles& t)
+{
+  return {middle(t[1], t[2]), middle(t[2], t[0]), middle(t[0], t[1])};
+}
+
+// The quarter i has the corner i of the triangle as its own corner i; the last one is the inner one.
 inline std::array<Triangle_of_doubles, 4> quarters(const Triangle_of_doubles& t)
 {
-  const auto middle = [](const Vector_of_doubles& p, const Vector_of_doubles& q)
-                      { return Vector_of_doubles{(p.x + q.x) / 2, (p.y + q.y) / 2}; };
-  const Vector_of_doubles a = middle(t[1], t[2]), b = middle(t[2], t[0]), c = middle(t[0], t[1]);
-  return {{{{t[0], c, b}}, {{t[1], a, c}}, {{t[2], b, a}}, {{a, b, c}}}};
+  const Triangle_of_doubles m = middles(t);
+  return {{{{t[0], m[2], m[1]}}, {{m[2], t[1], m[0]}}, {{m[1], m[0], t[2]}}, m}};
 }
 
 // Calls `add(x, w, v)` for the seven nodes of Radon's rule with their weights w,

@@ -20,6 +20,11 @@ struct Vector_of_doubles
 
 typedef std::vector<Vector_of_doubles> Vectors;
 
+inline Vector_of_doubles middle(const Vector_of_doubles& p, const Vector_of_doubles& q)
+{
+  return {(p.x + q.x) / 2, (p.y + q.y) / 2};
+}
+
 template <class Point>
 Vector_of_doubles to_doubles(const Point& p) { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
 

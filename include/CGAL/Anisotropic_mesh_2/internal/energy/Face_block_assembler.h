@@ -12,6 +12,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Face_gradient.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Face_response.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Local_numbering.h>
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Metric_triangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Part_integrator.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Region_response.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
@@ -33,7 +34,6 @@ class Face_block_assembler
 {
   typedef typename Mesh::Vertex_handle Vertex_handle;
   typedef typename Mesh::Face_handle   Face_handle;
-  typedef typename Mesh::Edge          Edge;
 
 public:
   // `parts` gives for each vertex, by its index, into how many parts edges at it are divided.
@@ -95,28 +95,29 @@ private:
     return (std::max)({of(0), of(1), of(2)});
   }
 
-  Control_space::Sample sample(Face_handle f, const Triangle_of_doubles& z, const Barycentric& l) const
+  Metric_sample sample(Face_handle f, const Triangle_of_doubles& z, const Barycentric& l) const
   {
     return (*m_metric)(point_of(z, l), f->vertex(0));
   }
 
-  double density(const Control_space::Sample& s) const { return m_is_riemannian ? s.root_of_determinant : 1; }
+  double density(const Metric_sample& s) const { return m_is_riemannian ? s.root_of_determinant : 1; }
 
   void add_gradient(Face_handle f, const Corners& corners, Bisector_hessian::Face_block& couplings)
   {
     const Triangle_of_doubles z = {m_positions[corners[0]], m_positions[corners[1]], m_positions[corners[2]]};
     const int n = parts(f);
-    const Control_space::Sample middle = sample(f, z, {{1./3, 1./3, 1./3}});
-    const Acute_face face(z, middle, density(middle));
+    const Metric_sample middle = sample(f, z, {{1./3, 1./3, 1./3}});
+    const Metric_triangle t(z, middle.tensor);
     Face_gradient g;
-    if(n == 1 && face.is_acute() && !has_obtuse_neighbor(f, z, middle.tensor))
-      face.add_to(g, m_is_riemannian, {{&m_sums[corners[0]], &m_sums[corners[1]], &m_sums[corners[2]]}});
+    if(n == 1 && t.is_acute() && !has_obtuse_neighbor(f, z, middle.tensor))
+      Acute_face(t, middle, density(middle))
+        .add_to(g, m_is_riemannian, {{&m_sums[corners[0]], &m_sums[corners[1]], &m_sums[corners[2]]}});
     else {
       add_parts(f, z, n, g);
-      g.add_growth_of_area(z);
+      g.add(z, g.energy / (2 * area(z))); // in proportion to which the energy of the parts grows
     }
     m_energy += g.energy;
-    const Face_response response(z, middle.tensor, density(middle));
+    const Face_response response(t, density(middle) * middle.tensor);
     for(int i = 0; i < 3; ++i) {
       Region_contribution& sum = m_sums[corners[i]];
       sum.moments.gx -= g.by_corner[i].x / 2;
@@ -139,7 +140,7 @@ private:
   {
     const Part_generators generators = generators_near(f);
     for(const Face_part& part : parts_of_face(n)) {
-      const Control_space::Sample s = sample(f, z, part.barycentre);
+      const Metric_sample s = sample(f, z, part.barycentre);
       Part_integrator integrate(part.corners(z), s.tensor, density(s));
       integrate(generators);
       g.add(part, integrate.gradient());
@@ -152,11 +153,10 @@ private:
   bool has_obtuse_neighbor(Face_handle f, const Triangle_of_doubles& z, const Symmetric_form& m) const
   {
     for(int i = 0; i < 3; ++i) {
-      const Face_handle g = f->neighbor(i);
-      if(!g->is_in_domain())
+      if(!f->neighbor(i)->is_in_domain())
         continue;
       const Vector_of_doubles &p = z[(i + 1) % 3], &q = z[(i + 2) % 3];
-      const Vector_of_doubles o = to_doubles(g->vertex(Mesh::ccw(g->index(f->vertex(Mesh::ccw(i)))))->point());
+      const Vector_of_doubles o = to_doubles(m_mesh->mirror_vertex(f, i)->point());
       if(m(p.x - o.x, p.y - o.y, q.x - o.x, q.y - o.y) < 0)
         return true;
     }
@@ -170,8 +170,8 @@ private:
     for(int i = 0; i < 3; ++i)
       numbers.push_back(number(f->vertex(i)));
     for(int i = 0; i < 3; ++i)
-      if(const Edge e = m_mesh->mirror_edge(Edge(f, i)); e.first->is_in_domain())
-        numbers.push_back(number(e.first->vertex(e.second)));
+      if(f->neighbor(i)->is_in_domain())
+        numbers.push_back(number(m_mesh->mirror_vertex(f, i)));
     Part_generators generators; // when no more are numbered, since sums move in memory
     for(std::size_t i : numbers)
       generators.push_back({m_positions[i], &m_sums[i].moments});

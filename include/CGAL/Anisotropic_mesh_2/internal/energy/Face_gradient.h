@@ -8,7 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_ENERGY_FACE_GRADIENT_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Face_parts.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric/Control_space.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Metric_sample.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -31,13 +31,13 @@ struct Face_gradient
 
   // An energy in the tensor of `s`, sampled at l, and its derivative by the entries of the tensor with a fixed
   // density, which here is the root of the determinant if it `moves`.
-  void add(const Barycentric& l, const Control_space::Sample& s, double energy, Symmetric_form by_tensor,
+  void add(const Barycentric& l, const Metric_sample& s, double energy, Symmetric_form by_tensor,
            bool density_moves)
   {
     this->energy += energy;
     if(density_moves)
       by_tensor += energy / (2 * s.root_of_determinant * s.root_of_determinant)
-                 * Symmetric_form(s.tensor.c, -s.tensor.b, s.tensor.a);
+                 * s.tensor.adjugate();
     const double x = contracted(by_tensor, s.by_x), y = contracted(by_tensor, s.by_y);
     for(int i = 0; i < 3; ++i) {
       by_corner[i].x += l[i] * x;
@@ -45,14 +45,13 @@ struct Face_gradient
     }
   }
 
-  // the energy being in proportion to the area
-  void add_growth_of_area(const Triangle_of_doubles& z)
+  // the derivative by the doubled area of the face
+  void add(const Triangle_of_doubles& z, double by_doubled_area)
   {
-    const double c = energy / (2 * area(z));
     for(int i = 0; i < 3; ++i) {
       const Vector_of_doubles &p = z[(i + 1) % 3], &q = z[(i + 2) % 3];
-      by_corner[i].x += c * (p.y - q.y);
-      by_corner[i].y += c * (q.x - p.x);
+      by_corner[i].x += by_doubled_area * (p.y - q.y);
+      by_corner[i].y += by_doubled_area * (q.x - p.x);
     }
   }
 

@@ -14,13 +14,6 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-typedef std::array<double, 3> Barycentric;
-
-inline Vector_of_doubles point_of(const Triangle_of_doubles& z, const Barycentric& l)
-{
-  return {l[0]*z[0].x + l[1]*z[1].x + l[2]*z[2].x, l[0]*z[0].y + l[1]*z[1].y + l[2]*z[2].y};
-}
-
 // A triangular part of a face, whose corners move with those of the face.
 struct Face_part
 {

@@ -7,8 +7,8 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_ENERGY_FACE_RESPONSE_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_ENERGY_FACE_RESPONSE_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/energy/Metric_triangle.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Region_response.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 
 #include <array>
@@ -21,29 +21,16 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 class Face_response
 {
 public:
-  Face_response(const Triangle_of_doubles& z, const Symmetric_form& tensor, double density)
-    : m_corner(z), m_weighted(density * tensor)
+  Face_response(const Metric_triangle& t, const Symmetric_form& weighted_tensor)
+    : m_corner(t.corner), m_weighted(weighted_tensor)
   {
-    std::array<double, 3> square, cosine;
-    for(int k = 0; k < 3; ++k)
-      square[k] = tensor(z[(k + 2) % 3].x - z[(k + 1) % 3].x, z[(k + 2) % 3].y - z[(k + 1) % 3].y);
-    for(int k = 0; k < 3; ++k)
-      cosine[k] = (square[(k + 1) % 3] + square[(k + 2) % 3] - square[k]) / 2;
     for(int r = 0; r < 3; ++r)
-      if(cosine[r] <= 0) { // its bisectors end on the opposite edge
-        for(int u : {(r + 1) % 3, (r + 2) % 3}) {
-          const int v = 3 - r - u;
-          const double t = square[v] / (2 * cosine[u]);
-          add_piece(r, u, {z[u].x + t * (z[v].x - z[u].x), z[u].y + t * (z[v].y - z[u].y)});
-        }
+      if(t.cosine[r] <= 0) { // its bisectors end on the opposite edge
+        add_piece_to_edge(t, r, (r + 1) % 3, (r + 2) % 3);
+        add_piece_to_edge(t, r, (r + 2) % 3, (r + 1) % 3);
         return;
       }
-    const double sum = square[0]*cosine[0] + square[1]*cosine[1] + square[2]*cosine[2];
-    Vector_of_doubles centre; // of the circumcircle
-    for(int k = 0; k < 3; ++k) {
-      centre.x += square[k] * cosine[k] / sum * z[k].x;
-      centre.y += square[k] * cosine[k] / sum * z[k].y;
-    }
+    const Vector_of_doubles centre = point_of(m_corner, t.circumcentre());
     for(int k = 0; k < 3; ++k)
       add_piece((k + 1) % 3, (k + 2) % 3, centre);
   }
@@ -52,6 +39,16 @@ public:
   const Face_couplings& couplings() const { return m_couplings; }
 
 private:
+  // the bisector of the obtuse corner r and the corner u, which ends on the way from u to v
+  void add_piece_to_edge(const Metric_triangle& t, int r, int u, int v)
+  {
+    const double share = t.square[v] / (2 * t.cosine[u]);
+    Barycentric end = {{0, 0, 0}};
+    end[u] = 1 - share;
+    end[v] = share;
+    add_piece(r, u, point_of(m_corner, end));
+  }
+
   // The gradients lose and gain what the bisector of the corners i and j sweeps, here from the middle between them to
   // `end`: the integrals over that piece of p p^T / g, q q^T / g and p q^T / g, where p = 2 s (x - z_i),
   // q = 2 s (x - z_j), s is the weighted tensor, and g is the length of the gradient of the difference of both
@@ -59,7 +56,7 @@ private:
   void add_piece(int i, int j, const Vector_of_doubles& end)
   {
     const Vector_of_doubles &zi = m_corner[i], &zj = m_corner[j], e = {zj.x - zi.x, zj.y - zi.y};
-    const Vector_of_doubles along = {end.x - (zi.x + zj.x) / 2, end.y - (zi.y + zj.y) / 2};
+    const Vector_of_doubles begin = middle(zi, zj), along = {end.x - begin.x, end.y - begin.y};
     const Vector_of_doubles v = m_weighted.times({e.x/2, e.y/2}), w = m_weighted.times(along);
     const double c = 2 * std::abs(e.x * along.y - e.y * along.x) / m_weighted(e.x, e.y);
     const Symmetric_form vv = product(v, v), vw = product(v, w), ww = product(w, w);
@@ -76,7 +73,7 @@ private:
     return Symmetric_form(u.x*v.x, (u.x*v.y + u.y*v.x) / 2, u.y*v.y);
   }
 
-  const Triangle_of_doubles     m_corner;
+  const Triangle_of_doubles&    m_corner;
   const Symmetric_form          m_weighted;
   std::array<Symmetric_form, 3> m_response;
   Face_couplings                m_couplings;

@@ -21,6 +21,10 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
+// How far the logarithm of the metric may vary in a face that is not divided: much where the exact gradient of
+// whatever is computed is followed, little for mass centres and for energies that are compared with others.
+constexpr double quick_tolerance = 1, accurate_tolerance = 0.1;
+
 // The energy of the anisotropic Voronoi tessellation of the vertices of a mesh,
 // assembled face by face. A face is taken in the tensor of its barycentre or, where the metric
 // varies, divided into parts with a tensor each; the division is chosen at the construction, so that it

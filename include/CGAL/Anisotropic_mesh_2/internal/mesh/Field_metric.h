@@ -7,21 +7,14 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_FIELD_METRIC_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_FIELD_METRIC_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/metric/Control_space.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Metric_sample.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
-
-template <class Metric_tensor_2>
-Symmetric_form logarithm_of(const Metric_tensor_2& m)
-{
-  const std::array<double, 3> l = m.logarithm();
-  return Symmetric_form(l[0], l[1], l[2]);
-}
 
 // The metric field of a mesh itself, evaluated whenever it is asked for; derivatives are central differences.
 template <class Mesh>
@@ -44,16 +37,15 @@ public:
     return Symmetric_form(m_tensor(point_at<Point>(x.x, x.y)));
   }
 
-  Control_space::Sample operator()(const Vector_of_doubles& x, Vertex_handle v) const
+  Metric_sample operator()(const Vector_of_doubles& x, Vertex_handle v) const
   {
     const Vector_of_doubles z = to_doubles(v->point());
     const double step = 1e-5 * (std::abs(x.x - z.x) + std::abs(x.y - z.y));
-    const Metric_tensor_2 m = m_tensor(point_at<Point>(x.x, x.y));
+    const Symmetric_form m = tensor(x, v);
     const auto derivative = [&](double dx, double dy) {
       return (1 / (2*step)) * (tensor({x.x + dx, x.y + dy}, v) + (-1.) * tensor({x.x - dx, x.y - dy}, v));
     };
-    return {Symmetric_form(m), derivative(step, 0), derivative(0, step),
-            std::sqrt(Symmetric_form(m).determinant())};
+    return {m, derivative(step, 0), derivative(0, step), std::sqrt(m.determinant())};
   }
 
   // how far the logarithm at v is from those at its neighbors

@@ -7,7 +7,6 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_SAMPLED_METRIC_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_SAMPLED_METRIC_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Control_space.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 
@@ -33,8 +32,6 @@ class Sampled_metric
   typedef typename Metric_tensor_2::FT FT;
 
 public:
-  typedef Control_space::Sample Sample;
-
   template <class ConcurrencyTag>
   Sampled_metric(ConcurrencyTag tag, const Mesh& mesh)
     : m_triangle_of(mesh.vertex_index_bound(), 0), m_variation(mesh.vertex_index_bound(), 0),
@@ -55,10 +52,10 @@ public:
   explicit Sampled_metric(const Mesh& mesh) : Sampled_metric(Sequential_tag(), mesh) {}
 
   // the tensor at x, which lies near v
-  Sample operator()(const Vector_of_doubles& x, Vertex_handle v) const
+  Metric_sample operator()(const Vector_of_doubles& x, Vertex_handle v) const
   {
     int triangle = m_triangle_of[v->index()];
-    const Sample s = m_space(x, triangle);
+    const Metric_sample s = m_space(x, triangle);
     const double unit = 1 / (m_size * m_size);
     return {unit * s.tensor, unit * s.by_x, unit * s.by_y, unit * s.root_of_determinant};
   }

@@ -7,6 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_RESTORE_CONNECTIVITY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_RESTORE_CONNECTIVITY_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Flip_policy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
@@ -30,9 +31,8 @@ public:
 
   double operator()(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
   {
-    const Vector_of_doubles a = to_doubles(u->point()), b = to_doubles(v->point()), c = to_doubles(w->point());
-    return metric_quality(u->point(), v->point(), w->point(),
-                          m_metric->tensor({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}, u));
+    const Triangle_of_doubles t = {to_doubles(u->point()), to_doubles(v->point()), to_doubles(w->point())};
+    return metric_quality(u->point(), v->point(), w->point(), m_metric->tensor(barycentre(t), u));
   }
 
   template <class Quadrilateral>

@@ -9,9 +9,10 @@
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
@@ -32,27 +33,28 @@ public:
   {
     const Triangle_of_doubles l = {in_lattice(t[0]), in_lattice(t[1]), in_lattice(t[2])};
     const auto y = std::minmax({l[0].y, l[1].y, l[2].y});
-    if(!are_countable(l) || y.second - y.first > maximum_of_rows)
+    if(!are_countable(y.first, y.second))
       return;
     for(double row = std::ceil(y.first); row <= y.second; ++row) {
       double from = HUGE_VAL, to = -HUGE_VAL;
       for(int i = 0; i < 3; ++i)
         extend(l[i], l[(i + 1) % 3], row, from, to);
+      if(!are_countable(from, to))
+        continue;
       for(double column = std::ceil(from); column <= to; ++column)
         visit(Vector_of_doubles{column*m_along.x + row*m_across.x, column*m_along.y + row*m_across.y});
     }
   }
 
 private:
-  static constexpr double turn = 0.4, sixty_degrees = 1.0471975511965976; // radians
-  static constexpr double maximum_of_rows = 1e5; // needles that have more are not worth it
+  static constexpr double turn = 0.4, sixty_degrees = CGAL_PI / 3; // radians
+  static constexpr double maximum_extent = 1e5; // needles that are longer are not worth it
 
-  // whether the next whole number is another one, as it is not far from the origin
-  static bool are_countable(const Triangle_of_doubles& l)
+  // Whether the whole numbers from the first to the last are not too many, and not so large that the next one is the
+  // same.
+  static bool are_countable(double first, double last)
   {
-    return std::all_of(l.begin(), l.end(), [](const Vector_of_doubles& p) {
-      return std::abs(p.x) < 1e15 && std::abs(p.y) < 1e15;
-    });
+    return last - first <= maximum_extent && (std::max)(std::abs(first), std::abs(last)) < 1e15;
   }
 
   Vector_of_doubles in_lattice(const Vector_of_doubles& p) const

@@ -11,7 +11,9 @@
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Unit_frame.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Weighted_tensor.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -54,7 +56,7 @@ private:
   static constexpr double minimum_distance = 0.70710678118654752; // the paper's sqrt(2)/2
   static constexpr double squared_roughness = 4;                  // eigenvalues that differ by a factor of 3
   static constexpr double squared_ratio_of_jumps = 16;            // of determinants, beyond which no mean is meant
-  static constexpr double least_area = 0.7 * 0.4330127018922193;  // of a face, in unit triangles
+  static constexpr double least_area = 0.7 * area_of_unit_triangle; // of a face
   static constexpr double least_filling = 0.48;                   // half, which points beside a jump have
   static constexpr int    samples = 6;
 
@@ -97,7 +99,7 @@ private:
     double sum = 0;
     Face_handle f = cavity.faces.front();
     for(int i = 0; i < samples; ++i) {
-      const double angle = 0.3 + i * 1.0471975511965976; // turned away from the axes of the tensor
+      const double angle = 0.3 + i * CGAL_PI / 3; // turned away from the axes of the tensor
       const Point q = frame.point<Point>({std::cos(angle) / 2, std::sin(angle) / 2});
       typename Mesh::Locate_type lt;
       int li;

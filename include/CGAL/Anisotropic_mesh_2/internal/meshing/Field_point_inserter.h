@@ -10,7 +10,6 @@
 #include <CGAL/Anisotropic_mesh_2/Point_placement.h>
 #include <CGAL/Anisotropic_mesh_2/Refinement_result.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Edge_subdivision.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Field_point_filter.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Uncovered_area.h>
@@ -113,20 +112,10 @@ private:
     if(m_new_vertices.size() >= m_next_check && !m_result.vertex_limit_reached) {
       m_next_check *= 2;
       m_result.vertex_limit_reached
-        = double(m_new_vertices.size()) > largest_ratio * ideal_number_of_vertices(metric_area_of_faces());
+        = double(m_new_vertices.size()) > largest_ratio * ideal_number_of_vertices
+                                              (estimated_metric_area<Point>(m_mesh.faces_in_domain(), m_tensor));
     }
     return !m_result.time_limit_reached && !m_result.vertex_limit_reached;
-  }
-
-  double metric_area_of_faces() const
-  {
-    double sum = 0;
-    for(Face_handle f : m_mesh.faces_in_domain()) {
-      const Triangle_of_doubles t = triangle_of_doubles(f);
-      sum += area(t) * m_tensor(point_at<Point>((t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3))
-                         .area_density();
-    }
-    return sum;
   }
 
   // A front begins with an edge of unit length along the longer axis of the metric.

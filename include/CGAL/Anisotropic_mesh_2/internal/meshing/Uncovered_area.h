@@ -11,6 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/point_at.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/meshing/Domain_samples.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 
 #include <algorithm>
 #include <array>
@@ -43,9 +44,13 @@ public:
       total += area(triangle_of_doubles(f));
     }
     const double cell = total / number_of_samples;
-    if(std::isnormal(cell))
-      for(Face_handle f : faces)
-        add_lattice(f, cell);
+    if(!std::isnormal(cell))
+      return;
+    const Domain_samples lattice(cell);
+    for(Face_handle f : faces) {
+      const Triangle_of_doubles t = triangle_of_doubles(f);
+      lattice.for_each_in(t, [&](const Vector_of_doubles& x) { add(x, (std::min)(cell, area(t))); });
+    }
   }
 
   // samples the faces of these vertices
@@ -87,7 +92,6 @@ public:
 
 private:
   static constexpr double number_of_samples = 2500;
-  static constexpr double area_of_unit_triangle = 0.4330127018922193;
   static constexpr double too_much = 2.5 * area_of_unit_triangle;
   static constexpr double smallest_share = 1e-6;
   static constexpr int    levels = 5;
@@ -116,7 +120,7 @@ private:
   void add_barycentre(Face_handle f)
   {
     const Triangle_of_doubles t = triangle_of_doubles(f);
-    const Vector_of_doubles b = {(t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3};
+    const Vector_of_doubles b = barycentre(t);
     std::array<double, 3> densities;
     for(int i = 0; i < 3; ++i)
       densities[i] = f->vertex(i)->metric_tensor().area_density();
@@ -134,12 +138,6 @@ private:
       share /= 2;
       cell /= n == 1 ? 4 : 2;
     }
-  }
-
-  void add_lattice(Face_handle f, double cell)
-  {
-    const Triangle_of_doubles t = triangle_of_doubles(f);
-    Domain_samples(cell).for_each_in(t, [&](const Vector_of_doubles& x) { add(x, (std::min)(cell, area(t))); });
   }
 
   static bool has_too_much(const Sample& s, Face_handle f)

@@ -7,9 +7,10 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_CONTROL_SPACE_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_CONTROL_SPACE_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Metric_sample.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Tensor_exponential.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 
 #include <algorithm>
@@ -30,18 +31,9 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 class Control_space
 {
 public:
-  typedef std::array<double, 3>            Coordinates; // barycentric
-  typedef std::array<Vector_of_doubles, 3> Corners;
-
   struct Triangle
   {
     std::array<int, 3> corner, neighbor; // the neighbor opposite to a corner, or -1
-  };
-
-  struct Sample
-  {
-    Symmetric_form tensor, by_x, by_y; // with the derivatives along the axes
-    double         root_of_determinant;
   };
 
   // `logarithms` belong to the points; `logarithm_at(x)` evaluates the field.
@@ -52,21 +44,21 @@ public:
       m_variation(m_triangles.size()), m_is_resolved(m_triangles.size(), true)
   {
     sample_edges<ConcurrencyTag>(logarithms, logarithm_at);
-    std::vector<Piece> pieces(m_triangles.size());
-    for(std::size_t i = 0; i < pieces.size(); ++i)
-      pieces[i] = {int(i), int(i), corners(m_triangles[i]), 0};
+    std::vector<Piece> pieces;
+    for(std::size_t i = 0; i < m_triangles.size(); ++i)
+      pieces.push_back({int(i), int(i), corners(m_triangles[i]), 0});
     for(int depth = 0; !pieces.empty(); ++depth)
       pieces = refined<ConcurrencyTag>(std::move(pieces), depth, logarithm_at);
   }
 
   // The tensor at x. The search begins in `triangle`, which becomes the one that holds
   // x, or the last one before the border if x lies outside.
-  Sample operator()(const Vector_of_doubles& x, int& triangle) const
+  Metric_sample operator()(const Vector_of_doubles& x, int& triangle) const
   {
     const Interpolation i = interpolation(x, triangle);
     const Tensor_exponential e(i.logarithm);
-    const Corners z = corners(m_triangles[triangle]);
-    const double unit = i.factor / cross(z[0], z[1], z[2]);
+    const Triangle_of_doubles z = corners(m_triangles[triangle]);
+    const double unit = i.factor / (2 * area(z));
     Symmetric_form by_x, by_y;
     for(int k = 0; k < 3; ++k) {
       const Vector_of_doubles &p = z[(k + 1) % 3], &q = z[(k + 2) % 3];
@@ -102,7 +94,7 @@ private:
   struct Piece // a patch that may be quartered, and where it lies
   {
     int     triangle, patch;
-    Corners corner;
+    Triangle_of_doubles corner;
     double  error;
   };
 
@@ -110,13 +102,12 @@ private:
   static constexpr double tolerance = 0.05; // of logarithms: five percent of the entries
   static constexpr double error_at_jumps = 1;
   static constexpr std::size_t quarterings_of_triangle = 2; // on an average
+  // of searches
+  static constexpr int         maximum_steps = 1000;
+  static constexpr std::size_t maximum_search = 100;
+  static constexpr double      rounding = 1e-9;
 
-  static Vector_of_doubles middle(const Vector_of_doubles& p, const Vector_of_doubles& q)
-  {
-    return {(p.x + q.x) / 2, (p.y + q.y) / 2};
-  }
-
-  Corners corners(const Triangle& t) const
+  Triangle_of_doubles corners(const Triangle& t) const
   {
     return {{m_points[t.corner[0]], m_points[t.corner[1]], m_points[t.corner[2]]}};
   }
@@ -132,11 +123,11 @@ private:
   {
     for_each_index<ConcurrencyTag>(m_triangles.size(), [&](std::size_t i) {
       const Triangle& t = m_triangles[i];
-      const Corners z = corners(t);
+      const Triangle_of_doubles m = middles(corners(t));
       for(int k = 0; k < 3; ++k) {
         m_patches[i].corner[k] = logarithms[t.corner[k]];
         if(t.neighbor[k] < 0 || int(i) < t.neighbor[k])
-          m_patches[i].middle[k] = logarithm_at(middle(z[(k + 1) % 3], z[(k + 2) % 3]));
+          m_patches[i].middle[k] = logarithm_at(m[k]);
       }
     });
     for_each_index<ConcurrencyTag>(m_triangles.size(), [&](std::size_t i) {
@@ -151,9 +142,7 @@ private:
   std::vector<Piece> refined(std::vector<Piece> pieces, int depth, const Logarithm_at& logarithm_at)
   {
     for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {
-      const Corners& z = pieces[i].corner;
-      pieces[i].error = error(m_patches[pieces[i].patch],
-                              logarithm_at({(z[0].x + z[1].x + z[2].x) / 3, (z[0].y + z[1].y + z[2].y) / 3}));
+      pieces[i].error = error(m_patches[pieces[i].patch], logarithm_at(barycentre(pieces[i].corner)));
       if(depth == 0)
         m_variation[i] = variation(m_patches[i]) + pieces[i].error;
     });
@@ -199,33 +188,28 @@ private:
   {
     Patch& p = m_patches[piece.patch];
     p.first_child = first_child;
-    const Corners& z = piece.corner;
-    const Corners m = {{middle(z[1], z[2]), middle(z[2], z[0]), middle(z[0], z[1])}};
+    const std::array<Triangle_of_doubles, 4> parts = internal::quarters(piece.corner);
+    for(int i = 0; i < 4; ++i)
+      quarters[i] = {piece.triangle, first_child + i, parts[i], 0};
     Patch& inner = m_patches[first_child + 3];
     inner.corner = p.middle;
-    quarters[3] = {piece.triangle, first_child + 3, m, 0};
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       Patch& q = m_patches[first_child + i];
       q.corner[i] = p.corner[i];
       q.corner[j] = p.middle[k];
       q.corner[k] = p.middle[j];
-      inner.middle[i] = q.middle[i] = logarithm_at(middle(m[j], m[k]));
-      q.middle[j] = logarithm_at(middle(z[i], m[j]));
-      q.middle[k] = logarithm_at(middle(z[i], m[k]));
-      Corners& c = quarters[i].corner;
-      quarters[i].triangle = piece.triangle;
-      quarters[i].patch = first_child + i;
-      c[i] = z[i];
-      c[j] = m[k];
-      c[k] = m[j];
+      const Triangle_of_doubles m = middles(parts[i]);
+      inner.middle[i] = q.middle[i] = logarithm_at(m[i]);
+      q.middle[j] = logarithm_at(m[j]);
+      q.middle[k] = logarithm_at(m[k]);
     }
   }
 
-  Coordinates locate(const Vector_of_doubles& x, int& triangle) const
+  Barycentric locate(const Vector_of_doubles& x, int& triangle) const
   {
     const int start = triangle;
-    Coordinates l = walk(x, triangle);
+    Barycentric l = walk(x, triangle);
     if(least(l) < -rounding) { // a hole or a notch is in the way
       triangle = search_around(x, start);
       l = coordinates(x, triangle);
@@ -234,9 +218,9 @@ private:
   }
 
   // Walks towards x, at each step over the edge that is farthest behind.
-  Coordinates walk(const Vector_of_doubles& x, int& triangle) const
+  Barycentric walk(const Vector_of_doubles& x, int& triangle) const
   {
-    Coordinates l = coordinates(x, triangle);
+    Barycentric l = coordinates(x, triangle);
     for(int steps = 0; steps < maximum_steps; ++steps) {
       int next = -1;
       double farthest = 0;
@@ -271,13 +255,9 @@ private:
     return best;
   }
 
-  static constexpr int         maximum_steps = 1000;
-  static constexpr std::size_t maximum_search = 100;
-  static constexpr double      rounding = 1e-9;
+  static double least(const Barycentric& l) { return (std::min)({l[0], l[1], l[2]}); }
 
-  static double least(const Coordinates& l) { return (std::min)({l[0], l[1], l[2]}); }
-
-  static Coordinates drawn_inside(Coordinates l)
+  static Barycentric drawn_inside(Barycentric l)
   {
     double sum = 0;
     for(double& t : l)
@@ -287,20 +267,15 @@ private:
     return l;
   }
 
-  Coordinates coordinates(const Vector_of_doubles& x, int triangle) const
+  Barycentric coordinates(const Vector_of_doubles& x, int triangle) const
   {
-    const Corners z = corners(m_triangles[triangle]);
-    const double area = cross(z[0], z[1], z[2]), l1 = cross(z[0], x, z[2]) / area, l2 = cross(z[0], z[1], x) / area;
+    const Triangle_of_doubles z = corners(m_triangles[triangle]);
+    const double whole = area(z), l1 = area({z[0], x, z[2]}) / whole, l2 = area({z[0], z[1], x}) / whole;
     return {{1 - l1 - l2, l1, l2}};
   }
 
-  static double cross(const Vector_of_doubles& p, const Vector_of_doubles& q, const Vector_of_doubles& r)
-  {
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  }
-
   // The fourth quarter is the inner one, whose corner i is the middle opposite to corner i.
-  static int quarter(const Coordinates& l)
+  static int quarter(const Barycentric& l)
   {
     for(int i = 0; i < 3; ++i)
       if(l[i] > 0.5)
@@ -309,7 +284,7 @@ private:
   }
 
   // From coordinates in the whole to those in a quarter; returns the derivative.
-  static double descend(int quarter, Coordinates& l)
+  static double descend(int quarter, Barycentric& l)
   {
     for(int i = 0; i < 3; ++i)
       l[i] = quarter == 3 ? 1 - 2*l[i] : 2*l[i] - (i == quarter);
@@ -326,7 +301,7 @@ private:
 
   Interpolation interpolation(const Vector_of_doubles& x, int& triangle) const
   {
-    Coordinates l = locate(x, triangle);
+    Barycentric l = locate(x, triangle);
     double factor = 1;
     int i = triangle;
     while(m_patches[i].first_child >= 0) {
@@ -337,7 +312,7 @@ private:
     return m_patches[i].is_linear ? linear(m_patches[i], l, factor) : quadratic(m_patches[i], l, factor);
   }
 
-  static Interpolation quadratic(const Patch& p, const Coordinates& l, double factor)
+  static Interpolation quadratic(const Patch& p, const Barycentric& l, double factor)
   {
     Interpolation result;
     result.factor = factor;
@@ -350,7 +325,7 @@ private:
     return result;
   }
 
-  static Interpolation linear(const Patch& p, Coordinates l, double factor)
+  static Interpolation linear(const Patch& p, Barycentric l, double factor)
   {
     const int q = quarter(l);
     Forms corner = p.middle;

@@ -42,12 +42,30 @@ struct Symmetric_form
   // of Frobenius
   double norm() const { return std::sqrt(a*a + 2*b*b + c*c); }
 
+  // the determinant times the inverse
+  Symmetric_form adjugate() const { return Symmetric_form(c, -b, a); }
+
   double determinant() const { return difference_of_products(a, c, b, b); }
 
   Symmetric_form& operator+=(const Symmetric_form& m) { a += m.a; b += m.b; c += m.c; return *this; }
   friend Symmetric_form operator+(Symmetric_form m, const Symmetric_form& n) { return m += n; }
   friend Symmetric_form operator*(double s, const Symmetric_form& m) { return Symmetric_form(s*m.a, s*m.b, s*m.c); }
 };
+
+// the matrix logarithm
+template <class K>
+Symmetric_form logarithm_of(const Metric_tensor_2<K>& m)
+{
+  const auto l = m.logarithm();
+  return Symmetric_form(l[0], l[1], l[2]);
+}
+
+// The length of the vector (x, y) along which the tensor varies, by Simpson's rule.
+inline double length_by_simpson(const Symmetric_form& at_begin, const Symmetric_form& in_middle,
+                                const Symmetric_form& at_end, double x, double y)
+{
+  return (at_begin.length(x, y) + 4 * in_middle.length(x, y) + at_end.length(x, y)) / 6;
+}
 
 // The geometric mean of two positive definite forms: sizes in it are the
 // geometric means of sizes where both have the same axes.

@@ -41,6 +41,21 @@ double metric_area(std::size_t n, const Triangle_at& triangle_at, const Construc
   return std::accumulate(sums.begin(), sums.end(), 0.);
 }
 
+// the area of faces in the metric, by one sample in each
+template <class Point, class Faces, class Construct_tensor>
+double estimated_metric_area(const Faces& faces, const Construct_tensor& tensor)
+{
+  double sum = 0;
+  for(const auto f : faces) {
+    const Triangle_of_doubles t = triangle_of_doubles(f);
+    const Vector_of_doubles b = barycentre(t);
+    sum += area(t) * tensor(point_at<Point>(b.x, b.y)).area_density();
+  }
+  return sum;
+}
+
+constexpr double area_of_unit_triangle = 0.4330127018922193; // sqrt(3) / 4
+
 inline double ideal_number_of_vertices(double metric_area) { return 2 / std::sqrt(3.) * metric_area; }
 
 // Refuses a metric that asks for too many vertices in these triangles.

@@ -8,7 +8,6 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_QUALITY_IMPROVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
@@ -19,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -156,17 +154,12 @@ private:
   // is not what the metric asks for.
   std::size_t least_number_of_vertices() const
   {
-    double metric_area = 0;
-    std::size_t number_of_faces = 0;
-    for(Face_handle f : m_mesh.faces_in_domain()) {
-      const Symmetric_form m = metric_at_barycentre(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
-                                                    m_mesh.geom_traits().construct_metric_tensor_2_object());
-      metric_area += area(triangle_of_doubles(f)) * std::sqrt(m.determinant());
-      ++number_of_faces;
-    }
+    const std::vector<Face_handle> faces = m_mesh.faces_in_domain();
+    const double metric_area
+      = estimated_metric_area<typename Mesh::Point>(faces, m_mesh.geom_traits().construct_metric_tensor_2_object());
     // the boundary has as many vertices more than faces account for
     const double unit_number = ideal_number_of_vertices(metric_area)
-                             + double(m_mesh.number_of_vertices()) - double(number_of_faces) / 2;
+                             + double(m_mesh.number_of_vertices()) - double(faces.size()) / 2;
     return std::size_t(0.97 * (std::min)(unit_number, double(m_mesh.number_of_vertices())));
   }
 

@@ -49,8 +49,7 @@ private:
     const double dx = CGAL::to_double(q.x() - p.x()), dy = CGAL::to_double(q.y() - p.y());
     const typename Gt::Point_2 middle((p.x() + q.x()) / 2, (p.y() + q.y()) / 2);
     const Symmetric_form m(m_gt.construct_metric_tensor_2_object()(middle));
-    return (Symmetric_form(u.metric_tensor()).length(dx, dy) + 4 * m.length(dx, dy)
-          + Symmetric_form(v.metric_tensor()).length(dx, dy)) / 6;
+    return length_by_simpson(Symmetric_form(u.metric_tensor()), m, Symmetric_form(v.metric_tensor()), dx, dy);
   }
 
   const Gt& m_gt;

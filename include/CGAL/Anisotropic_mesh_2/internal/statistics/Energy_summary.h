@@ -36,7 +36,7 @@ public:
   void add(const Mesh& mesh, const Faces& faces, const Faces& other_faces, const Vertices& vertices)
   {
     const Sampled_metric<Mesh> metric(ConcurrencyTag(), mesh);
-    Facewise_energy<Mesh, ConcurrencyTag, Sampled_metric<Mesh> > energy(mesh, metric, m_measure, 0.1);
+    Facewise_energy<Mesh, ConcurrencyTag, Sampled_metric<Mesh> > energy(mesh, metric, m_measure, accurate_tolerance);
     std::vector<Region_moments> moments(mesh.vertex_index_bound());
     m_energy += energy.add_faces(faces, moments);
     energy.add_faces(other_faces, moments);

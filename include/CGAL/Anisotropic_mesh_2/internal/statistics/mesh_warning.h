@@ -20,6 +20,12 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
+// as far as numbers tell: that of the vertices that are not fixed, the ideal one, and the mean quality
+inline bool follows_metric(double free_vertices, double ideal, double mean_quality)
+{
+  return free_vertices <= 2*ideal && mean_quality >= 0.5;
+}
+
 // Tells if a mesh does not follow its metric, and where it is worst; nothing if all is well.
 template <class Mesh>
 std::string mesh_warning(const Mesh& mesh)
@@ -39,11 +45,11 @@ std::string mesh_warning(const Mesh& mesh)
     quality += q / double(faces.size());
     if(q < least) {
       least = q;
-      worst = {(t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3};
+      worst = barycentre(t);
     }
   }
   const double inner = double(free_vertices(mesh).size()), ideal = ideal_number_of_vertices(metric_area);
-  if(faces.empty() || (quality >= 0.5 && inner <= 2*ideal))
+  if(faces.empty() || follows_metric(inner, ideal, quality))
     return std::string();
   std::ostringstream os;
   os << "the mesh does not follow the metric: " << inner << " inner vertices where about " << ideal

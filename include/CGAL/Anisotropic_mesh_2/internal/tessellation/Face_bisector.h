@@ -139,7 +139,7 @@ private:
   {
     const double x = q.at.x - p.at.x, y = q.at.y - p.at.y;
     const Metric_point middle = m_generators.metric_point_at({p.at.x + x / 2, p.at.y + y / 2});
-    return (p.m.length(x, y) + 4 * middle.m.length(x, y) + q.m.length(x, y)) / 6;
+    return length_by_simpson(p.m, middle.m, q.m, x, y);
   }
 
   static std::pair<Vertex_handle, Vertex_handle> ends(const Edge& e)
