@@ -3,6 +3,7 @@
 #include "check.h"
 #include "brute_force_acvt.h"
 #include "Energy_by_faces.h"
+#include "Recording_visitor.h"
 #include "meshes.h"
 
 #include <CGAL/Random.h>
@@ -126,7 +127,7 @@ void test_constant_metric_in_closed_form()
 struct Test_face
 {
   Triangle_of_doubles   z = {{{0, 0}, {1, 0.1}, {0.4, 0.9}}};
-  Control_space::Sample sample = {Symmetric_form(1.5, 0.2, 1.1), Symmetric_form(0.3, 0.1, -0.2),
+  Metric_sample       sample = {Symmetric_form(1.5, 0.2, 1.1), Symmetric_form(0.3, 0.1, -0.2),
                                   Symmetric_form(-0.1, 0.2, 0.4), std::sqrt(1.5*1.1 - 0.2*0.2)};
 
   double density(bool is_riemannian) const { return is_riemannian ? sample.root_of_determinant : 1; }
@@ -144,7 +145,7 @@ struct Test_face
       g.add(part, integrate.gradient());
       g.add({{1./3, 1./3, 1./3}}, sample, integrate.energy(), integrate.by_tensor(), is_riemannian);
     }
-    g.add_growth_of_area(z);
+    g.add(z, g.energy / (2 * area(z)));
     return g;
   }
 };
@@ -153,8 +154,9 @@ struct Test_face
 void test_closed_form(bool is_riemannian)
 {
   const Test_face face;
-  const Acute_face acute(face.z, face.sample, face.density(is_riemannian));
-  CHECK(acute.is_acute());
+  const Metric_triangle triangle(face.z, face.sample.tensor);
+  const Acute_face acute(triangle, face.sample, face.density(is_riemannian));
+  CHECK(triangle.is_acute());
   std::array<Region_contribution, 3> sums;
   Face_gradient closed;
   acute.add_to(closed, is_riemannian, {{&sums[0], &sums[1], &sums[2]}});
@@ -193,7 +195,7 @@ void test_energy_of_face()
 void test_both_assemblies(const Case& c, Measure measure)
 {
   const Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  Energy_by_faces<Mesh> energy(mesh, measure, 1);
+  Energy_by_faces<Mesh> energy(mesh, measure, quick_tolerance);
   std::vector<Region_moments> moments;
   Bisector_hessian hessian;
   const double with_gradient = energy(moments, hessian);
@@ -242,21 +244,6 @@ void test_hessian()
   }
   CHECK_MSG(std::sqrt(error / norm) < 0.01, "relative error of the Hessian " + std::to_string(std::sqrt(error / norm)));
 }
-
-class Recording_visitor
-{
-public:
-  explicit Recording_visitor(std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>& states) : m_states(&states) {}
-
-  bool iteration(const CGAL::Anisotropic_mesh_2::Optimization_state& s)
-  {
-    m_states->push_back(s);
-    return true;
-  }
-
-private:
-  std::vector<CGAL::Anisotropic_mesh_2::Optimization_state>* m_states;
-};
 
 // Counts how often a field is asked.
 Case counting(const Case& c, std::size_t& calls)
@@ -382,7 +369,7 @@ template <template <class> class Metric>
 void test_slopes(const Case& c, Measure measure)
 {
   Mesh mesh = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
-  Energy_by_faces<Mesh, Metric> energy(mesh, measure, 1);
+  Energy_by_faces<Mesh, Metric> energy(mesh, measure, quick_tolerance);
   std::vector<Region_moments> gradient, ignored;
   Bisector_hessian hessian;
   energy(gradient, hessian);
@@ -490,8 +477,8 @@ void test_ways_to_move(const Case& c)
   const auto method = [](auto& optimizer) { return optimizer.quasi_newton(); };
   const auto parameters = np::convergence(0.);
   const Stopping_criteria criteria{30, 0, 0, 0};
-  optimize_acvt<CGAL::Sequential_tag, Vertex_mover>(in_place, method, criteria, 1, parameters);
-  optimize_acvt<CGAL::Sequential_tag, Vertex_reinserter>(rebuilt, method, criteria, 1, parameters);
+  optimize_acvt<CGAL::Sequential_tag, Vertex_mover>(in_place, method, criteria, quick_tolerance, parameters);
+  optimize_acvt<CGAL::Sequential_tag, Vertex_reinserter>(rebuilt, method, criteria, quick_tolerance, parameters);
   const double ratio = Energy_by_faces<Mesh>(in_place, Measure::RIEMANNIAN)()
                      / Energy_by_faces<Mesh>(rebuilt, Measure::RIEMANNIAN)();
   CHECK_MSG(std::abs(ratio - 1) < 2e-3, c.name + ": energy in place over that of a rebuild " + std::to_string(ratio));
@@ -531,6 +518,32 @@ void test_energy_reduction(const Case& c)
       (mesh, np::convergence(0.).energy_reduction(0.9).method(method).number_of_iterations(60));
     CHECK(result.return_code == CGAL::CANT_IMPROVE_ANYMORE);
     CHECK_MSG(result.iterations >= 10 && result.iterations <= 12, std::to_string(result.iterations) + " iterations");
+  }
+}
+
+// Where a vertex finds no place in the mesh that is built anew, since another one has taken its old one, all are moved in
+// place: also those at jumps, and their tensors are those of the field.
+void test_reinsertion_in_place(const Case& c)
+{
+  const Mesh start = CGAL::make_anisotropic_mesh_2(c.domain, c.field);
+  for(std::size_t k = 0; k < 8; ++k) { // in some of them the vertex k + 1 is inserted after k, which goes to its place
+    Mesh mesh = start;
+    Sampled_metric<Mesh> metric(mesh);
+    CHECK(Free_vertices<Mesh>(mesh, metric).size() < Free_vertices<Mesh>(mesh).size());
+    Vertex_reinserter<Mesh, Sampled_metric<Mesh> > reinserter(mesh, metric);
+    const std::vector<double> before = reinserter.free_vertices().positions();
+    std::vector<double> target = before;
+    target[2*k] = before[2*k + 2];
+    target[2*k + 1] = before[2*k + 3];
+    target[2*k + 2] = target[2*k + 3] = 1e9;
+    reinserter.move_to(target);
+    CHECK(mesh.is_valid(true));
+    const std::vector<double> after = reinserter.free_vertices().positions();
+    CHECK(after.size() == before.size());
+    for(std::size_t i = 0; i < after.size(); ++i)
+      CHECK((2*k <= i && i < 2*k + 4) || after[i] == before[i]);
+    for(Mesh::Vertex_handle v : mesh.finite_vertex_handles())
+      CHECK(v->metric_tensor() == c.field(v->point()));
   }
 }
 
@@ -614,6 +627,7 @@ int main()
   for(const Case& c : rough_cases())
     test_never_worse(c);
   test_never_worse(notched_square());
+  test_reinsertion_in_place(rough_cases()[0]);
   test_hessian();
   test_moments(cases[4], Measure::RIEMANNIAN, 0.003, 0.005);
   test_moments(cases[1], Measure::RIEMANNIAN, 0.005, 0.01);

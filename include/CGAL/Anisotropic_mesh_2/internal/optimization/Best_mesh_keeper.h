@@ -23,16 +23,12 @@ public:
 
   bool iteration(const Optimization_state& s)
   {
-    if(s.evaluations == 1) {
-      m_given = m_best = m_merit(s);
-      m_state = s;
-    }
+    if(s.evaluations == 1)
+      m_given = m_best = {m_merit(s), s};
     else if(s.iteration % iterations_between == 0)
-      if(const double merit = m_merit(s); merit > m_best) {
-        m_best = merit;
-        m_state = s;
+      if(const double merit = m_merit(s); merit > m_best.merit) {
+        m_best = {merit, s};
         m_mover.keep();
-        m_has_kept = true;
       }
     return m_visitor.iteration(s);
   }
@@ -42,17 +38,17 @@ public:
   Optimization_state choose(const Optimization_state& last)
   {
     const double merit = m_merit(last);
-    if(merit >= m_given && merit >= m_best - slack)
+    if(merit >= m_given.merit && merit >= m_best.merit - slack)
       return last;
-    if(m_has_kept) {
+    if(m_best.merit > m_given.merit) {
       m_mover.restore_kept();
       m_mover.finish();
+      if(m_merit(m_best.state) >= m_given.merit) // also in the field itself, and after flips
+        return m_best.state;
     }
-    else {
-      m_mover.restore_given();
-      m_is_better = false;
-    }
-    return m_state;
+    m_mover.restore_given();
+    m_is_better = false;
+    return m_given.state;
   }
 
   // whether what remains is not the mesh of the beginning
@@ -62,12 +58,17 @@ private:
   static constexpr int    iterations_between = 5;
   static constexpr double slack = 0.002; // of merit: so much the energy is worth
 
-  const Merit&       m_merit;
-  Mover&             m_mover;
-  Visitor&           m_visitor;
-  double             m_given = 0, m_best = 0;
-  Optimization_state m_state; // of the best mesh
-  bool               m_has_kept = false, m_is_better = true;
+  struct Judged
+  {
+    double             merit = 0;
+    Optimization_state state;
+  };
+
+  const Merit& m_merit;
+  Mover&       m_mover;
+  Visitor&     m_visitor;
+  Judged       m_given, m_best;
+  bool         m_is_better = true;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

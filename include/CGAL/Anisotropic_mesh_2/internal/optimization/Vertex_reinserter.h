@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_OPTIMIZATION_VERTEX_REINSERTER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
@@ -30,8 +31,9 @@ class Vertex_reinserter
   typedef std::vector<double>            Array; // of coordinates, as `Free_vertices` has them
 
 public:
-  Vertex_reinserter(Mesh& mesh, Metric& metric)
-    : m_mesh(mesh), m_metric(metric), m_empty(mesh.empty_mesh()), m_given(mesh), m_kept(m_empty), m_free(mesh)
+  // The metric is that of the field, which insertion evaluates.
+  Vertex_reinserter(Mesh& mesh, Metric&)
+    : m_mesh(mesh), m_empty(mesh.empty_mesh()), m_given(mesh), m_kept(m_empty), m_free(mesh)
   {}
 
   const Free_vertices<Mesh>& free_vertices() const { return m_free; }
@@ -46,7 +48,8 @@ public:
     for(std::size_t i : spatial_order(target)) {
       const Vertex_handle v = insert_on_the_way(next, start, target, i, hint);
       if(v == Vertex_handle()) {
-        Vertex_mover<Mesh, Metric>(m_mesh, m_metric).move_to(target);
+        Field_metric<Mesh> field(m_mesh);
+        Vertex_mover<Mesh>(m_mesh, field).move_to(target);
         return;
       }
       assign_data(*v, *m_free[i]);
@@ -66,13 +69,13 @@ public:
   void restore_kept() { restore(m_kept); }
 
 private:
+  static constexpr int halvings = 6;
+
   void restore(Mesh& mesh)
   {
     m_mesh.swap(mesh);
-    m_free = Free_vertices<Mesh>(m_mesh);
+    m_free.find_in(m_mesh);
   }
-
-  static constexpr int halvings = 6;
 
   std::vector<std::size_t> spatial_order(const Array& positions) const
   {
@@ -99,7 +102,6 @@ private:
   }
 
   Mesh&   m_mesh;
-  Metric& m_metric;
   Mesh    m_empty, m_given, m_kept;
   Free_vertices<Mesh> m_free;
 };
