@@ -4,11 +4,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The metric fields; the discrete one against a search through all triangles.
+// The metric fields; the discrete one against a search through all triangles; and what samples of a field tell.
 
 #include "include/check.h"
 
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Control_space.h>
 #include <CGAL/Constant_metric_field_2.h>
 #include <CGAL/Oriented_sizes_metric_field_2.h>
 #include <CGAL/Discrete_metric_field_2.h>
@@ -24,7 +25,9 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <thread>
 #include <tuple>
@@ -335,8 +338,107 @@ void test_lengths_of_segments()
   CHECK(std::abs(length(Point(0.5, 0), Point(0.5, 2)) - 2 * std::exp(5.)) < 1e-10);
 }
 
+// ---------------------------------------------------------------- samples of a field
+
+using CGAL::Anisotropic_mesh_2::internal::Control_space;
+using CGAL::Anisotropic_mesh_2::internal::Symmetric_form;
+using CGAL::Anisotropic_mesh_2::internal::Vector_of_doubles;
+typedef std::function<Symmetric_form(const Vector_of_doubles&)> Logarithm;
+
+const int cells = 8; // along each side of the unit square, each of two triangles
+
+// Two triangles are neighbors unless their common edge lies on the slit from (0, 1/2) to (3/4, 1/2).
+Control_space sampled(const Logarithm& logarithm, bool has_slit)
+{
+  CGAL::Anisotropic_mesh_2::internal::Vectors points;
+  std::vector<Symmetric_form> logarithms;
+  for(int j = 0; j <= cells; ++j)
+    for(int i = 0; i <= cells; ++i) {
+      points.push_back({double(i) / cells, double(j) / cells});
+      logarithms.push_back(logarithm(points.back()));
+    }
+  std::vector<Control_space::Triangle> triangles;
+  for(int j = 0; j < cells; ++j)
+    for(int i = 0; i < cells; ++i) {
+      const int a = j*(cells + 1) + i, b = a + cells + 1;
+      triangles.push_back({{{a, a + 1, b + 1}}, {{-1, -1, -1}}});
+      triangles.push_back({{{a, b + 1, b}}, {{-1, -1, -1}}});
+    }
+  std::map<std::pair<int, int>, std::size_t> triangle_of; // by directed edges
+  for(std::size_t t = 0; t < triangles.size(); ++t)
+    for(int k = 0; k < 3; ++k)
+      triangle_of[{triangles[t].corner[(k + 1) % 3], triangles[t].corner[(k + 2) % 3]}] = t;
+  for(auto& t : triangles)
+    for(int k = 0; k < 3; ++k) {
+      const int p = t.corner[(k + 1) % 3], q = t.corner[(k + 2) % 3];
+      const auto found = triangle_of.find({q, p});
+      const bool is_on_slit = points[p].y == 0.5 && points[q].y == 0.5 && (std::max)(points[p].x, points[q].x) <= 0.75;
+      if(found != triangle_of.end() && !(has_slit && is_on_slit))
+        t.neighbor[k] = int(found->second);
+    }
+  return Control_space(CGAL::Sequential_tag(), points, triangles, logarithms, logarithm);
+}
+
+// Quadratic logarithms are interpolated exactly, whichever triangle the search begins in, also around the tip of a
+// slit.
+void test_samples_around_slit()
+{
+  const auto quadratic = [](const Vector_of_doubles& x)
+                         { return Symmetric_form(1 + x.x - x.y*x.y, x.x*x.y, 2 - x.x*x.x + 3*x.y); };
+  const Control_space space = sampled(quadratic, true);
+  CGAL::Random random(5);
+  for(int trial = 0; trial < 300; ++trial) {
+    const Vector_of_doubles x = {random.get_double(0.5, 1), random.get_double(0.35, 0.65)};
+    const int row = random.get_int(3, 5), column = random.get_int(4, 8);
+    int triangle = 2 * (row*cells + column) + random.get_int(0, 2);
+    CHECK((space.logarithm(x, triangle) + (-1.) * quadratic(x)).norm() < 1e-12);
+    CHECK(space.is_resolved(triangle));
+  }
+}
+
+// A bump that is no wider than a cell is sampled more closely, so that the logarithm is right to the five percent that
+// samples must agree to, but for places between them.
+void test_samples_of_bump()
+{
+  const auto bump = [](const Vector_of_doubles& x) {
+    const double value = 3 * std::exp(-100 * ((x.x - 0.52) * (x.x - 0.52) + (x.y - 0.55) * (x.y - 0.55)));
+    return Symmetric_form(value, -value / 2, 1);
+  };
+  const Control_space space = sampled(bump, false);
+  const int trials = 5000;
+  double sum = 0;
+  CGAL::Random random(6);
+  for(int trial = 0; trial < trials; ++trial) {
+    const Vector_of_doubles x = {random.get_double(0, 1), random.get_double(0, 1)};
+    int triangle = 2 * (cells/2 * cells + cells/2);
+    sum += std::pow((space.logarithm(x, triangle) + (-1.) * bump(x)).norm(), 2) / trials;
+  }
+  CHECK_MSG(std::sqrt(sum) < 0.05, std::to_string(std::sqrt(sum)));
+}
+
+// A quartering takes nine samples and four to see whether it was enough. There are two a triangle, however rough the
+// field is; and jumps, which remain, are told.
+void test_number_of_samples()
+{
+  int calls = 0;
+  const auto noise = [&](const Vector_of_doubles& x) {
+    ++calls;
+    return Symmetric_form(std::sin(1e6 * x.x), 0, std::cos(1e6 * x.y));
+  };
+  const Control_space space = sampled(noise, false);
+  const int triangles = 2 * cells * cells, edges = cells * (3*cells + 2), corners = (cells + 1) * (cells + 1);
+  CHECK_MSG(calls <= corners + edges + triangles + 2 * 13 * triangles, std::to_string(calls));
+  const auto step = [](const Vector_of_doubles& x) { return Symmetric_form(x.x < 0.56 ? 0 : 9, 0, 0); };
+  const Control_space jump = sampled(step, false);
+  for(int triangle = 0; triangle < triangles; ++triangle)
+    CHECK(jump.is_resolved(triangle) == (triangle / 2 % cells != 4));
+}
+
 int main()
 {
+  test_samples_around_slit();
+  test_samples_of_bump();
+  test_number_of_samples();
   test_callables();
   test_lengths_of_segments();
   test_gradient_field();

@@ -13,6 +13,8 @@
 #include <CGAL/make_anisotropic_mesh_2.h>
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -81,6 +83,34 @@ inline std::vector<Case> unit_square_cases()
                                                std::atan2(p.y(), p.x()));
                    }, 1});
   return cases;
+}
+
+// A square with a slit of some width, around whose tip the sizes grow.
+inline Case notched_square()
+{
+  CGAL::Anisotropic_mesh_domain_2<K> domain;
+  domain.add_polygon(std::vector<Point>{{-1, -1}, {1, -1}, {1, -0.02}, {0, 0}, {1, 0.02}, {1, 1}, {-1, 1}});
+  return {"notch", domain, [](const Point& p)
+          { return Tensor::from_sizes(0.02 + 0.2 * std::hypot(p.x(), p.y()), 0.05 + 0.2 * std::abs(p.y() + 0.1)); }, 3.98};
+}
+
+// Metrics that no mesh of their size resolves.
+inline std::vector<Case> rough_cases()
+{
+  const auto cell = [](double x, double y) {
+    const unsigned h = (unsigned(40 * x) * 7919u + unsigned(40 * y) * 104729u) * 2654435761u;
+    return std::array<double, 2>{{(h >> 8) % 1000 / 1000., (h >> 18) % 1000 / 1000.}};
+  };
+  return {
+    {"step", box(0, 1), [](const Point& p)
+     { return Tensor::from_size(std::hypot(p.x() - 0.51, p.y() - 0.23) < 0.3 ? 0.02 : 0.25); }, 1},
+    {"checkerboard", box(0, 1), [](const Point& p)
+     { return Tensor::from_size((int(4 * p.x()) + int(4 * p.y())) % 2 == 0 ? 0.03 : 0.09); }, 1},
+    {"cells", box(0, 1), [cell](const Point& p) {
+       const auto c = cell(p.x(), p.y());
+       return Tensor::from_sizes(0.04 * std::exp(c[0] - 0.5), 0.04 * std::exp(c[1] - 0.5), 3 * c[0] * c[1]); }, 1},
+    {"turns", box(0, 1), [](const Point& p) { return Tensor::from_sizes(0.01, 0.2, 9 * p.x()); }, 1},
+    {"jump by 1000", box(0, 1), [](const Point& p) { return Tensor::from_sizes(p.x() < 0.5 ? 0.05 : 50, 0.05); }, 1}};
 }
 
 template <class Mesh>
