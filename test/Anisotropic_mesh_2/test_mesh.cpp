@@ -9,19 +9,15 @@
 #include <CGAL/optimize_anisotropic_mesh_2.h>
 #include <CGAL/anisotropic_mesh_statistics_2.h>
 #include <CGAL/Anisotropic_Voronoi_diagram_2.h>
-#include <CGAL/refine_anisotropic_mesh_2.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
-using CGAL::Anisotropic_mesh_2::Measure;
 using CGAL::Anisotropic_mesh_2::Mesh_statistics;
 using CGAL::Anisotropic_mesh_2::Point_placement;
 namespace np = CGAL::Anisotropic_mesh_2::parameters;
@@ -289,95 +285,6 @@ void test_wild_tensor()
   }
 }
 
-// The integral of f over a triangle, by n * n parts of the same size.
-template <class Function>
-double integral(const Function& f, const Point& a, const Point& b, const Point& c, int n)
-{
-  double sum = 0;
-  for(int i = 0; i < n; ++i)
-    for(int j = 0; j < 2 * (n - i) - 1; ++j) {
-      const double u = (i + (j % 2 == 0 ? 1 : 2) / 3.) / n, v = (j / 2 + (j % 2 == 0 ? 1 : 2) / 3.) / n;
-      sum += f(a + u * (b - a) + v * (c - a));
-    }
-  return sum * CGAL::area(a, b, c) / (n * n);
-}
-
-double length_of_segment(const Field& field, const Point& p, const Point& q, int n)
-{
-  double sum = 0;
-  for(int i = 0; i < n; ++i)
-    sum += std::sqrt(field(p + (i + 0.5) / n * (q - p)).squared_length(q - p)) / n;
-  return sum;
-}
-
-double quality_in(const Tensor& m, const Point& a, const Point& b, const Point& c)
-{
-  return 4 * std::sqrt(3 * m.determinant()) * CGAL::area(a, b, c)
-       / (m.squared_length(b - a) + m.squared_length(c - b) + m.squared_length(a - c));
-}
-
-// All statistics that have a definition are what a plain evaluation of it gives; outer faces do not count.
-void test_statistics()
-{
-  const Field field = [](const Point& p) { return Tensor::from_sizes(0.3 + p.x()/8, 0.2 + p.y()/16, p.x()/2); };
-  Mesh mesh = CGAL::make_anisotropic_mesh_2(box(0, 4), field);
-  mesh.insert(Point(9, 2));
-  std::vector<double> lengths, qualities, worst;
-  double area = 0, root_area = 0;
-  for(Mesh::Face_handle f : mesh.faces_in_domain()) {
-    const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
-    qualities.push_back(quality_in(field(CGAL::centroid(a, b, c)), a, b, c));
-    worst.push_back((std::min)({quality_in(field(a), a, b, c), quality_in(field(b), a, b, c),
-                                quality_in(field(c), a, b, c)}));
-    area += integral([&](const Point& p) { return std::sqrt(field(p).determinant()); }, a, b, c, 8);
-    root_area += integral([&](const Point& p) { return std::pow(field(p).determinant(), 0.25); }, a, b, c, 8);
-  }
-  for(const Mesh::Edge& e : mesh.edges_in_domain())
-    lengths.push_back(length_of_segment(field, mesh.segment(e).source(), mesh.segment(e).target(), 100));
-  const auto mean = [](const std::vector<double>& v) {
-    return std::accumulate(v.begin(), v.end(), 0.) / double(v.size());
-  };
-  const auto least = [](const std::vector<double>& v) { return *std::min_element(v.begin(), v.end()); };
-  const auto is_unit = [](double l) { return l >= std::sqrt(0.5) && l <= std::sqrt(2.); };
-  for(const Measure measure : {Measure::RIEMANNIAN, Measure::LEBESGUE}) {
-    const Mesh_statistics s = CGAL::anisotropic_mesh_statistics_2(mesh, measure);
-    const auto check = [&](double value, double expected, double tolerance, const char* what) {
-      CHECK_MSG(std::abs(value - expected) <= tolerance * expected,
-                what + (": " + std::to_string(value)) + " instead of " + std::to_string(expected));
-    };
-    CHECK(s.vertices == mesh.number_of_vertices() - 1 && s.triangles == qualities.size());
-    check(s.edge_length_mean, mean(lengths), 1e-4, "mean length");
-    check(s.edge_length_min, least(lengths), 1e-4, "least length");
-    check(s.edge_length_max, *std::max_element(lengths.begin(), lengths.end()), 1e-4, "greatest length");
-    check(s.edge_length_unit_share,
-          double(std::count_if(lengths.begin(), lengths.end(), is_unit)) / double(lengths.size()), 1e-12, "unit share");
-    check(s.quality_mean, mean(qualities), 1e-12, "mean quality");
-    check(s.quality_min, least(qualities), 1e-12, "least quality");
-    check(s.quality_min3_mean, mean(worst), 1e-12, "mean of the least qualities");
-    check(s.quality_min3_min, least(worst), 1e-12, "least of the least qualities");
-    check(s.ideal_vertices, 2 / std::sqrt(3.) * area, 1e-3, "ideal vertices");
-    const double of_density = measure == Measure::LEBESGUE ? root_area : area;
-    check(s.energy / s.energy_ratio, 5 / (18 * std::sqrt(3.)) * of_density * of_density * 2 / double(qualities.size()),
-          2e-3, "bound of the energy");
-  }
-}
-
-// A time limit ends the insertion with a valid mesh, and is told; a coarse mesh of a layer that curves is complained of.
-void test_limits_and_warning()
-{
-  CGAL::Anisotropic_mesh_2::Refinement_result result;
-  const auto tell = np::refinement_result(std::ref(result));
-  const Field fine = [](const Point&) { return Tensor::from_size(0.005); };
-  const Mesh cut = CGAL::make_anisotropic_mesh_2<Mesh>(box(0, 1), Mesh::Geom_traits(fine),
-                                                       tell.maximum_running_time(1e-9));
-  CHECK(result.time_limit_reached && !result.vertex_limit_reached && cut.is_valid(true));
-  CHECK(std::abs(area_of(cut) - 1) < 1e-12);
-  const Mesh whole = CGAL::make_anisotropic_mesh_2<Mesh>(box(0, 1), Mesh::Geom_traits(fine), tell);
-  CHECK(!result.time_limit_reached && result.number_of_insertions > cut.number_of_vertices());
-  CHECK(CGAL::anisotropic_mesh_warning_2(whole).empty());
-  CHECK(CGAL::anisotropic_mesh_warning_2(cut).find("worst at (") != std::string::npos); // triangles of the boundary only
-}
-
 int main()
 {
   for(const Case& c : paper_cases()) {
@@ -394,12 +301,10 @@ int main()
   test_gates(gated[2], 0.20, 3.0, 0.996, 0.577);
   test_fine_places();
   test_wild_tensor();
-  test_limits_and_warning();
   test_domain_with_everything();
   test_clustered_start();
   test_refusals();
   test_field_defined_on_the_domain_only();
   test_scaling();
-  test_statistics();
   return finish();
 }
