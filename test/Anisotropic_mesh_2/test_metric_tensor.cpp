@@ -11,6 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/difference_of_products.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Isotropic_metric_field_2.h>
@@ -165,9 +166,21 @@ void test_numbers()
   CHECK(sum_over<CGAL::Sequential_tag>(5000, [](std::size_t i) { return double(i); }) == 4999 * 2500);
 }
 
+// What is left of a limit that has passed is not 0, which would stand for no limit.
+void test_time_budget()
+{
+  typedef CGAL::Anisotropic_mesh_2::internal::Time_budget Budget;
+  const Budget none(0), past(1e-6), ample(1000);
+  while(none.spent() < 1e-4) {}
+  CHECK(!none.is_spent() && none.remaining() == 0);
+  CHECK(past.is_spent() && past.remaining() > 0 && past.remaining() < 1e-6);
+  CHECK(!ample.is_spent() && ample.remaining() < 1000 && ample.remaining() > 900);
+}
+
 int main()
 {
   test_numbers();
+  test_time_budget();
   test_against_eigen();
   test_measuring();
   test_large_ratios();

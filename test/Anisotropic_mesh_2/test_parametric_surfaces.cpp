@@ -18,6 +18,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_metric_field_2.h>
 #include <CGAL/Anisotropic_mesh_2/principal_curvatures_3.h>
+#include <CGAL/Anisotropic_mesh_2/internal/surface/Surface_chart.h>
+#include <CGAL/Anisotropic_mesh_2/internal/surface/surface_geometry.h>
 
 #include <array>
 #include <cmath>
@@ -236,6 +238,121 @@ void test_bounds_of_sizes()
   CHECK(std::abs(size(bent, Vector_3(0, 0, 1)) - 0.1) < 1e-12);
 }
 
+// ------------------------------------------------------------- charts
+
+using CGAL::Anisotropic_mesh_2::internal::Surface_chart;
+using CGAL::Anisotropic_mesh_2::internal::Symmetric_form;
+using CGAL::Anisotropic_mesh_2::internal::Vector_of_doubles;
+
+// parameters with a metric that is oblique to them everywhere, and periodic
+struct Oblique_field
+{
+  struct Surface
+  {
+    typedef K Kernel;
+
+    Rectangle r;
+    const Rectangle& parameters() const { return r; }
+  };
+
+  Surface s;
+  const Surface& surface() const { return s; }
+  CGAL::Metric_tensor_2<K> operator()(const Point_2& p) const
+  {
+    const double u = 2 * CGAL_PI / 3 * p.x(), v = CGAL_PI * p.y();
+    return CGAL::Metric_tensor_2<K>::from_entries(2 + std::sin(u), 0.7 + 0.2 * std::sin(v), 1.5 + 0.5 * std::cos(v));
+  }
+};
+
+Oblique_field sphere_like() // poles at both ends, and u not in radians
+{
+  Oblique_field field{{rectangle(1, 4, -1, 1)}};
+  field.s.r.u_is_periodic = field.s.r.v_min_is_pole = field.s.r.v_max_is_pole = true;
+  return field;
+}
+
+// A chart is a map without mirroring and its inverse, and its tensor is that of the parameters, by differences.
+void test_chart(const Surface_chart<Oblique_field>& chart, const Oblique_field& field)
+{
+  const Rectangle& r = field.s.r;
+  CGAL::Random random(3);
+  for(int i = 0; i < 40; ++i) {
+    const Vector_of_doubles p = {random.get_double(r.u_min, r.u_max), random.get_double(-0.9, 0.9)};
+    const Vector_of_doubles x = chart.coordinates(p), q = chart.parameters(x);
+    CHECK(std::hypot(p.x - q.x, p.y - q.y) < 1e-12);
+    const double step = 1e-5;
+    const auto derivative = [&](double dx, double dy) {
+      const Vector_of_doubles a = chart.parameters({x.x + dx, x.y + dy}), b = chart.parameters({x.x - dx, x.y - dy});
+      return Vector_of_doubles{std::remainder(a.x - b.x, r.u_extent()) / (2*step),
+                               std::remainder(a.y - b.y, r.v_extent()) / (2*step)};
+    };
+    const Vector_of_doubles dx = derivative(step, 0), dy = derivative(0, step);
+    CHECK(dx.x * dy.y - dx.y * dy.x > 0);
+    const Symmetric_form m(field(Point_2(p.x, p.y))), n(chart(Point_2(x.x, x.y)));
+    const double scale = 1e-6 * (n.a + n.c);
+    CHECK(std::abs(n.a - m(dx.x, dx.y)) < scale && std::abs(n.b - m(dx.x, dx.y, dy.x, dy.y)) < scale
+          && std::abs(n.c - m(dy.x, dy.y)) < scale);
+  }
+}
+
+void test_charts()
+{
+  const Oblique_field sphere = sphere_like();
+  test_chart(Surface_chart<Oblique_field>::cap(sphere, true), sphere);
+  test_chart(Surface_chart<Oblique_field>::cap(sphere, false), sphere);
+  test_chart(Surface_chart<Oblique_field>::window(sphere, 2.3, -1), sphere);
+  Oblique_field torus{{rectangle(1, 4, -1, 1)}};
+  torus.s.r.u_is_periodic = torus.s.r.v_is_periodic = true;
+  const auto window = Surface_chart<Oblique_field>::window(torus, 2.3, 0.4);
+  test_chart(window, torus);
+  // what is near across a seam is far in the window
+  CHECK(!window.is_cut_between({2.5, 0.5}, {3.9, 1.4}));
+  CHECK(window.is_cut_between({2.5, 0.5}, {4.1, 0.5}) && window.is_cut_between({2.5, 0.5}, {2.5, 1.6}));
+  CHECK(window.is_cut_between(window.coordinates({2.2, 0}), window.coordinates({2.4, 0})));
+  CHECK(window.is_cut_between(window.coordinates({3, 0.3}), window.coordinates({3, 0.5})));
+}
+
+// ------------------------------------------------------------- triangles in space
+
+void test_triangles()
+{
+  namespace internal = CGAL::Anisotropic_mesh_2::internal;
+  const double height = std::sqrt(0.75);
+  const std::array<Point_3, 3> equilateral{Point_3(0, 0, 1), Point_3(1, 0, 1), Point_3(0.5, height, 1)};
+  const std::array<Point_3, 3> stretched{Point_3(0, 0, 0), Point_3(0, 0, 4), Point_3(0, 3 * height, 2)};
+  CHECK(std::abs(internal::surface_quality(equilateral, Tensor_3()) - 1) < 1e-12);
+  CHECK(std::abs(internal::surface_quality(stretched, Tensor_3::from_sizes(9, 3, 4)) - 1) < 1e-12);
+  // 4 sqrt(3) times the area over the sum of the squares, 1/2 and 1 + 1 + 2
+  CHECK(std::abs(internal::surface_quality(std::array<Point_3, 3>{Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 0, 1)},
+                                           Tensor_3()) - std::sqrt(3.) / 2) < 1e-12);
+  // of lengths 1, 5 and 2
+  CHECK(std::abs(internal::chord_length(Vector_3(0, 2, 0), Tensor_3::from_size(2), Tensor_3::from_size(0.4),
+                                        Tensor_3::from_size(1)) - 23./6) < 1e-12);
+  const CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> plane(0, 0, rectangle(0, 1, 0, 1));
+  for(double angle : {0., 0.3, 1.5, 2.}) {
+    const std::array<Point_3, 3> t{Point_3(0, 0, 0), Point_3(std::cos(angle), 0, std::sin(angle)), Point_3(0, 1, 0)};
+    CHECK(std::abs(internal::normal_deviation(plane, Point_2(0.5, 0.5), t) - angle) < 1e-12);
+  }
+}
+
+// On a torus in closed form; where the closest point is beyond the rectangle, it is on its side.
+void test_distances()
+{
+  namespace internal = CGAL::Anisotropic_mesh_2::internal;
+  const CGAL::Anisotropic_mesh_2::Parametric_torus_3<K> torus(3, 1);
+  CGAL::Random random(4);
+  for(int i = 0; i < 30; ++i) {
+    const Point_2 p(random.get_double(0, 6), random.get_double(0, 6));
+    const Point_3 near = torus.point(Point_2(p.x() + 0.2, p.y() - 0.3));
+    const Point_3 x = CGAL::ORIGIN + 1.02 * (near - CGAL::ORIGIN);
+    const double distance = std::abs(std::hypot(std::hypot(x.x(), x.y()) - 3, x.z()) - 1);
+    CHECK_MSG(std::abs(internal::distance_to_surface(torus, p, x) - distance) < 1e-6, std::to_string(distance));
+  }
+  const CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> plane(0, 0, rectangle(0, 1, 0, 1));
+  CHECK(std::abs(internal::distance_to_surface(plane, Point_2(0.5, 0.5), Point_3(0.7, 5, 3)) - 5) < 1e-12);
+  CHECK(std::abs(internal::distance_to_surface(plane, Point_2(0.5, 0.5), Point_3(-4, 0.2, 3)) - 5) < 1e-12);
+}
+
 // ------------------------------------------------------------- refusals
 
 template <class Function>
@@ -286,6 +403,9 @@ int main()
   test_curvatures();
   test_chord_error();
   test_bounds_of_sizes();
+  test_charts();
+  test_triangles();
+  test_distances();
   test_refusals();
   test_other_kernel();
   return finish();

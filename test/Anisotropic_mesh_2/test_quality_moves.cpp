@@ -693,6 +693,29 @@ void test_random_metric()
   CHECK(least_quality(mesh) >= least_quality(before));
 }
 
+// However much shapes would gain, no vertex is removed once there are three percent less than the metric asks for, or
+// than there were. The metric is another one in each of many cells.
+void test_number_of_vertices(double size, double roughness)
+{
+  const auto field = [=](const Point& p) {
+    const unsigned h = (unsigned(40 * p.x()) * 7919u + unsigned(40 * p.y()) * 104729u) * 2654435761u;
+    const double s = (h >> 8) % 1000 / 1000., t = (h >> 18) % 1000 / 1000.;
+    return Tensor::from_sizes(size * std::exp(roughness * (s - 0.5)), size * std::exp(roughness * (t - 0.5)), 3*s*t);
+  };
+  Mesh mesh = CGAL::make_anisotropic_mesh_2<Mesh>(box(0, 1), Mesh::Geom_traits(field));
+  double metric_area = 0;
+  for(const auto f : mesh.faces_in_domain()) {
+    const Point &a = f->vertex(0)->point(), &b = f->vertex(1)->point(), &c = f->vertex(2)->point();
+    metric_area += CGAL::area(a, b, c) * std::sqrt(field(CGAL::centroid(a, b, c)).determinant());
+  }
+  const double before = double(mesh.number_of_vertices());
+  const double of_boundary = before - double(mesh.number_of_faces_in_domain()) / 2;
+  const double least = std::floor(0.97 * (std::min)(2 / std::sqrt(3.) * metric_area + of_boundary, before));
+  CGAL::improve_anisotropic_mesh_2(mesh);
+  CHECK_MSG(double(mesh.number_of_vertices()) >= least, std::to_string(mesh.number_of_vertices()) + " of "
+            + std::to_string(before) + ", " + std::to_string(least) + " at least");
+}
+
 // ---------------------------------------------------------------- when there are none
 
 struct Stop
@@ -738,6 +761,8 @@ int main()
   test_random_points();
   test_failing_field();
   test_random_metric();
+  test_number_of_vertices(0.06, 1.5);
+  test_number_of_vertices(0.1, 2);
   test_no_moves();
   return finish();
 }
