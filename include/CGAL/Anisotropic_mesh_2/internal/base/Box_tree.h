@@ -17,6 +17,11 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
+inline Bbox_2 enlarged(const Bbox_2& b, double margin)
+{
+  return Bbox_2(b.xmin() - margin, b.ymin() - margin, b.xmax() + margin, b.ymax() + margin);
+}
+
 // Items with boxes, halved by their centres along the longer side of the box
 // around them, until a leaf has few. An item is known by its position in the order of the leaves.
 class Box_tree
@@ -65,6 +70,17 @@ public:
       search(distance, bound, visit, first.second);
     if(second.first <= bound())
       search(distance, bound, visit, second.second);
+  }
+
+  // Sets `found` to the items, ascending, whose boxes may have a point in common with `box`: all of those in leaves
+  // that have.
+  void find_near(const Bbox_2& box, std::vector<std::size_t>& found) const
+  {
+    found.clear();
+    const auto overlaps = [&](std::size_t at) { return do_overlap(m_nodes[at].box, box) ? 0. : 1.; };
+    if(!m_nodes.empty() && overlaps(0) == 0)
+      search(overlaps, [] { return 0.; }, [&](std::size_t k) { found.push_back(m_order[k]); });
+    std::sort(found.begin(), found.end());
   }
 
 private:

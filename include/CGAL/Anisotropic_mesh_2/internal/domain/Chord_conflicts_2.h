@@ -7,17 +7,15 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_CHORD_CONFLICTS_2_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_CHORD_CONFLICTS_2_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_graph_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Box_tree.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/tilted_box.h>
+#include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_graph_2.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,40 +51,28 @@ private:
   typedef Exact_predicates_kernel_of<K>                             Exact;
   typedef typename Exact::Point_2                                   Exact_point;
   typedef typename Exact::Segment_2                                 Exact_segment;
-  typedef Tilted_box                                                Box;
   static constexpr std::size_t parts_of_curve = 8;
-
-  // around the given points
-  template <std::size_t N>
-  static Box box(const std::array<Exact_point, N>& points, std::size_t i)
-  {
-    std::array<Bbox_2, N> boxes;
-    std::transform(points.begin(), points.end(), boxes.begin(), [](const Exact_point& p) { return p.bbox(); });
-    return tilted_box(boxes, 0, i);
-  }
 
   Exact_segment segment(const Chord& c) const { return Exact_segment(m_points[c.source], m_points[c.target]); }
 
   void find_meeting_chords()
   {
-    std::vector<Box> boxes;
-    for(std::size_t i = 0; i < m_graph.chords().size(); ++i) {
-      const Chord& c = m_graph.chords()[i];
-      boxes.push_back(box<2>({m_points[c.source], m_points[c.target]}, i));
+    std::vector<Bbox_2> boxes;
+    for(const Chord& c : m_graph.chords())
+      boxes.push_back(m_points[c.source].bbox() + m_points[c.target].bbox());
+    const Box_tree tree(boxes, 4);
+    std::vector<std::size_t> near;
+    for(std::size_t i = 0; i < boxes.size(); ++i) {
+      tree.find_near(boxes[i], near);
+      for(std::size_t k : near)
+        if(k > i && do_overlap(boxes[i], boxes[k]) && meet_wrongly(m_graph.chords()[i], m_graph.chords()[k])) {
+          m_meeting.push_back(Pair(i, k));
+          if(is_segment(i) && is_segment(k)) { // nothing separates them, so that no other pair counts
+            m_meeting.assign(1, Pair(i, k));
+            return;
+          }
+        }
     }
-    std::optional<Pair> crossing; // the first of segments: nothing separates them, so that no other pair counts
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [this, &crossing](const Box& a, const Box& b) {
-      const Pair pair = std::minmax(a.info(), b.info());
-      if((crossing && *crossing < pair) || !meet_wrongly(m_graph.chords()[pair.first], m_graph.chords()[pair.second]))
-        return;
-      if(is_segment(pair.first) && is_segment(pair.second))
-        crossing = pair;
-      else
-        m_meeting.push_back(pair);
-    });
-    if(crossing)
-      m_meeting.assign(1, *crossing);
-    std::sort(m_meeting.begin(), m_meeting.end());
   }
 
   bool is_segment(std::size_t chord) const
@@ -129,23 +115,24 @@ private:
 
   void find_enclosed_points()
   {
-    std::vector<Box> rings, points;
+    std::vector<Bbox_2> boxes;
+    for(const Exact_point& p : m_points)
+      boxes.push_back(p.bbox());
+    const Box_tree tree(boxes, 4);
+    std::vector<std::size_t> near;
     for(std::size_t i = 0; i < m_graph.chords().size(); ++i) {
       const Chord& c = m_graph.chords()[i];
-      if(!m_pieces[c.piece].curve.is_straight())
-        rings.push_back(box(ring(c), i));
+      if(is_segment(i))
+        continue;
+      const Ring r = ring(c);
+      Bbox_2 box;
+      for(const Exact_point& p : r)
+        box += p.bbox();
+      tree.find_near(box, near);
+      for(std::size_t k : near)
+        if(k != c.source && k != c.target && do_overlap(box, boxes[k]) && encloses(r, m_points[k]))
+          m_enclosed.push_back(Pair(i, k));
     }
-    if(rings.empty())
-      return;
-    for(std::size_t i = 0; i < m_points.size(); ++i)
-      points.push_back(box<1>({m_points[i]}, i));
-    CGAL::box_intersection_d(rings.begin(), rings.end(), points.begin(), points.end(),
-                             [this](const Box& r, const Box& p) {
-      const Chord& c = m_graph.chords()[r.info()];
-      if(p.info() != c.source && p.info() != c.target && encloses(ring(c), m_points[p.info()]))
-        m_enclosed.push_back(Pair(r.info(), p.info()));
-    });
-    std::sort(m_enclosed.begin(), m_enclosed.end());
   }
 
   // counts the edges that a ray to the right crosses

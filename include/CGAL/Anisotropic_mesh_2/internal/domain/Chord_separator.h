@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -27,17 +28,18 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 // Bisects chords of curves until the chords meet in common end points only and
 // lie on the same side of everything else as their curves do.
 //
-// `Middle` is a callable (piece, t0, t1) -> parameter between t0 and t1.
+// `middle(piece, t0, t1)` is a parameter between t0 and t1.
 // Throws Invalid_domain_exception when segments cross, or when curves still do
 // after 24 rounds, each of which brings chords 4 times closer to their curves.
-template <class K, class Middle>
+template <class K>
 class Chord_separator
 {
 public:
-  typedef Chord_graph_2<K>                    Graph;
-  typedef typename Graph::Chord               Chord;
-  typedef std::vector<Domain_piece_2<K> >     Pieces;
-  typedef std::vector<std::vector<double> >   Parameters;
+  typedef Chord_graph_2<K>                                   Graph;
+  typedef typename Graph::Chord                              Chord;
+  typedef std::vector<Domain_piece_2<K> >                    Pieces;
+  typedef std::vector<std::vector<double> >                  Parameters;
+  typedef std::function<double(std::size_t, double, double)> Middle;
 
   Chord_separator(const Pieces& pieces, Parameters& parameters, const Middle& middle)
     : m_pieces(pieces), m_parameters(parameters), m_middle(middle)
@@ -116,13 +118,6 @@ private:
   Parameters&    m_parameters;
   const Middle&  m_middle;
 };
-
-template <class K, class Middle>
-Chord_graph_2<K> separate_chords(const std::vector<Domain_piece_2<K> >& pieces,
-                                 std::vector<std::vector<double> >& parameters, const Middle& middle)
-{
-  return Chord_separator<K, Middle>(pieces, parameters, middle)();
-}
 
 } // namespace CGAL::Anisotropic_mesh_2::internal
 

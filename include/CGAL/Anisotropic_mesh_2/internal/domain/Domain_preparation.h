@@ -89,9 +89,9 @@ private:
   static bool is_meant_as_boundary(Piece_role role) { return is_boundary(role) || role == Piece_role::OPEN_CHAIN; }
 
   // how many pieces whose role counts end at each point
-  static std::map<Point_2, int> count_ends(const Pieces& pieces, bool (*counts)(Piece_role))
+  static std::map<Point_2, std::size_t> count_ends(const Pieces& pieces, bool (*counts)(Piece_role))
   {
-    std::map<Point_2, int> ends;
+    std::map<Point_2, std::size_t> ends;
     for(const Piece& piece : pieces)
       if(counts(piece.role)) {
         ++ends[piece.curve.source()];
@@ -103,7 +103,7 @@ private:
   // at each point, no or two boundary pieces end
   void check_loops() const
   {
-    const std::map<Point_2, int> ends = count_ends(m_pieces, is_boundary);
+    const std::map<Point_2, std::size_t> ends = count_ends(m_pieces, is_boundary);
     for(const auto& end : ends)
       if(end.second == 1)
         refuse_open(end.first);
@@ -121,7 +121,7 @@ private:
       parameters.push_back(piece.curve.is_straight() ? std::vector<double>{0., 1.}
                                                      : parameters_of_flat_parts(piece.curve, flat_angle));
     const auto middle = [](std::size_t, double t0, double t1) { return (t0 + t1) / 2; };
-    const Graph graph = separate_chords<K>(m_pieces, parameters, middle);
+    const Graph graph = Chord_separator<K>(m_pieces, parameters, middle)();
     const Chord_sides_2<K> chord_sides(graph, m_pieces, m_rule, holes);
     check_area(chord_sides.sides());
     m_triangles = chord_sides.inner_triangles();
@@ -169,7 +169,7 @@ private:
   // Pieces in a hole or beyond the boundary are harmless unless their chain is open.
   void check_closed(const Pieces& outside) const
   {
-    const std::map<Point_2, int> ends = count_ends(m_pieces, is_any);
+    const std::map<Point_2, std::size_t> ends = count_ends(m_pieces, is_any);
     for(const Piece& piece : outside)
       for(const Point_2* p : {&piece.curve.source(), &piece.curve.target()})
         if(ends.at(*p) == 1)

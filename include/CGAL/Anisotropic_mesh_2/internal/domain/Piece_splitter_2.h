@@ -8,17 +8,15 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_DOMAIN_PIECE_SPLITTER_2_H
 
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
-#include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_piece_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Box_tree.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/tilted_box.h>
+#include <CGAL/Anisotropic_mesh_2/internal/domain/Domain_piece_2.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -46,7 +44,7 @@ public:
   {
     for(const Piece& piece : pieces)
       for(const Point_2* p : {&piece.curve.source(), &piece.curve.target()})
-        m_on_boundary[*p] |= piece.role == Piece_role::BOUNDARY;
+        m_boundary_ends[*p] += piece.role == Piece_role::BOUNDARY;
     find_cuts();
   }
 
@@ -60,7 +58,7 @@ public:
 
 private:
   typedef Exact_predicates_kernel_of<K>     Exact;
-  typedef Tilted_box                        Box;
+  typedef std::map<Point_2, std::size_t>    Ends;
   typedef std::pair<double, Point_2>        Cut; // parameter, point
   static constexpr int samples = 64;
   static constexpr double rounding = 1.4210854715202004e-14; // 2^-46, of the coordinates
@@ -69,13 +67,12 @@ private:
   static double y(const Point_2& p) { return CGAL::to_double(p.y()); }
   static double distance(const Point_2& p, const Point_2& q) { return std::hypot(x(p) - x(q), y(p) - y(q)); }
 
-  static std::vector<Bbox_2> sampled(const Curve_piece_2<K>& curve)
+  static Bbox_2 sampled_box(const Curve_piece_2<K>& curve)
   {
-    std::vector<Bbox_2> boxes(1, curve.source().bbox());
+    Bbox_2 box = curve.source().bbox() + curve.target().bbox();
     for(int i = 1; i < samples && !curve.is_straight(); ++i)
-      boxes.push_back(curve.point(double(i) / samples).bbox());
-    boxes.push_back(curve.target().bbox());
-    return boxes;
+      box += curve.point(double(i) / samples).bbox();
+    return box;
   }
 
   // the rounding of the largest coordinate
@@ -85,35 +82,27 @@ private:
                                  (std::max)(std::abs(b.ymin()), std::abs(b.ymax())));
   }
 
-  Box piece_box(std::size_t i)
-  {
-    const Curve_piece_2<K>& curve = m_pieces[i].curve;
-    const std::vector<Bbox_2> boxes = sampled(curve);
-    Bbox_2 b;
-    for(const Bbox_2& part : boxes)
-      b += part;
-    m_tolerances.push_back(tolerance(b));
-    const double size = (std::max)(b.xmax() - b.xmin(), b.ymax() - b.ymin());
-    return tilted_box(boxes, (curve.is_straight() ? 0 : size / samples) + m_tolerances.back(), i);
-  }
-
   void find_cuts()
   {
-    std::vector<Box> pieces, ends;
-    std::vector<const std::pair<const Point_2, bool>*> vertices;
-    for(std::size_t i = 0; i < m_pieces.size(); ++i)
-      pieces.push_back(piece_box(i));
-    for(const auto& vertex : m_on_boundary) {
-      ends.push_back(tilted_box(std::array<Bbox_2, 1>{vertex.first.bbox()}, 0, vertices.size()));
-      vertices.push_back(&vertex);
+    std::vector<const typename Ends::value_type*> ends;
+    std::vector<Bbox_2> boxes;
+    for(const auto& end : m_boundary_ends) {
+      ends.push_back(&end);
+      boxes.push_back(end.first.bbox());
     }
-    CGAL::box_intersection_d(pieces.begin(), pieces.end(), ends.begin(), ends.end(),
-                             [this, &vertices](const Box& piece, const Box& end) {
-      consider(piece.info(), vertices[end.info()]->first, vertices[end.info()]->second);
-    });
+    const Box_tree tree(boxes, 4);
+    std::vector<std::size_t> near;
+    for(std::size_t i = 0; i < m_pieces.size(); ++i) {
+      const Curve_piece_2<K>& curve = m_pieces[i].curve;
+      const Bbox_2 box = sampled_box(curve);
+      const double allowed = tolerance(box), size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+      tree.find_near(enlarged(box, 2 * (allowed + (curve.is_straight() ? 0 : size / samples))), near);
+      for(std::size_t k : near)
+        consider(i, ends[k]->first, ends[k]->second > 0, allowed);
+    }
   }
 
-  void consider(std::size_t i, const Point_2& p, bool on_boundary)
+  void consider(std::size_t i, const Point_2& p, bool on_boundary, double allowed)
   {
     const Curve_piece_2<K>& curve = m_pieces[i].curve;
     if(p == curve.source() || p == curve.target())
@@ -125,7 +114,6 @@ private:
       m_cuts[i].push_back(Cut(projection(curve, p), p));
     } else if(!on_boundary) {
       const double t = curve.is_straight() ? projection(curve, p) : nearest_parameter(curve, p);
-      const double allowed = m_tolerances[i];
       if(distance(curve.point(t), p) <= allowed && distance(curve.source(), p) > allowed
          && distance(curve.target(), p) > allowed)
         m_cuts[i].push_back(Cut(t, p));
@@ -189,10 +177,9 @@ private:
     }
   }
 
-  const Pieces&                      m_pieces;
-  std::map<Point_2, bool>            m_on_boundary; // of each end point: whether a boundary piece ends there
-  std::vector<double>                m_tolerances;  // of each piece
-  std::vector<std::vector<Cut> >     m_cuts;
+  const Pieces&                  m_pieces;
+  Ends                           m_boundary_ends; // how many pieces of the boundary end at each end point
+  std::vector<std::vector<Cut> > m_cuts;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -61,7 +61,7 @@ public:
   Graph operator()()
   {
     const auto middle = [this](std::size_t piece, double t0, double t1) { return middle_of_part(piece, t0, t1); };
-    return separate_chords<K>(m_pieces, m_parameters, middle);
+    return Chord_separator<K>(m_pieces, m_parameters, middle)();
   }
 
 private:

@@ -12,11 +12,10 @@
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Directed_edges.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/Surface_atlas.h>
 #include <CGAL/Anisotropic_mesh_2/internal/surface/append_chart_faces.h>
-#include <CGAL/Anisotropic_mesh_2/internal/base/tilted_box.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Box_tree.h>
 #include <CGAL/Anisotropic_surface_mesh_3.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Riemannian_metric_traits_2.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/enum.h>
 #include <CGAL/squared_distance_2.h>
 
@@ -165,16 +164,20 @@ private:
     const Parameter_rectangle r = m_surface_mesh.field().surface().parameters();
     const double reach = contact * (std::min)(r.u_extent(), r.v_extent());
     const auto segment = [&](const Chart_edge& e) { return Segment_2(point(e[0]), point(e[1])); };
-    std::vector<Tilted_box> boxes;
-    for(std::size_t i = 0; i < edges.size(); ++i)
-      boxes.push_back(tilted_box(std::array<Bbox_2, 1>{segment(edges[i]).bbox()}, reach, i));
-    std::vector<std::size_t> result;
-    box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Tilted_box& a, const Tilted_box& b) {
-      const Chart_edge &e = edges[a.info()], &f = edges[b.info()];
-      if(e[0] != f[0] && e[0] != f[1] && e[1] != f[0] && e[1] != f[1]
-         && squared_distance(segment(e), segment(f)) <= reach * reach)
-        result.insert(result.end(), {e[0], e[1], f[0], f[1]});
-    });
+    std::vector<Bbox_2> boxes;
+    for(const Chart_edge& e : edges)
+      boxes.push_back(enlarged(segment(e).bbox(), reach));
+    const Box_tree tree(boxes, 4);
+    std::vector<std::size_t> near, result;
+    for(std::size_t i = 0; i < edges.size(); ++i) {
+      tree.find_near(boxes[i], near);
+      for(std::size_t k : near) {
+        const Chart_edge &e = edges[i], &f = edges[k];
+        if(k > i && e[0] != f[0] && e[0] != f[1] && e[1] != f[0] && e[1] != f[1]
+           && squared_distance(segment(e), segment(f)) <= reach * reach)
+          result.insert(result.end(), {e[0], e[1], f[0], f[1]});
+      }
+    }
     return result;
   }
 
