@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <vector>
 
@@ -229,7 +228,7 @@ private:
   {
     m_recent_energies.push_back(m_state.energy);
     if(m_recent_energies.size() > memory_of_energies)
-      m_recent_energies.pop_front();
+      m_recent_energies.erase(m_recent_energies.begin());
     return *std::max_element(m_recent_energies.begin(), m_recent_energies.end());
   }
 
@@ -270,7 +269,7 @@ private:
   Bisector_hessian            m_couplings;
   Region_preconditioner<ConcurrencyTag> m_precondition;
   Lbfgs_history<ConcurrencyTag>         m_history;
-  std::deque<double>          m_recent_energies;
+  std::vector<double>         m_recent_energies;
   double                      m_lowest_energy = std::numeric_limits<double>::infinity();
   std::size_t                 m_iteration_of_lowest = 0;
 };

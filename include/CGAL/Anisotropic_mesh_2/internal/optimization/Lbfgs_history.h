@@ -10,10 +10,9 @@
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/vector_operations.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <deque>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -37,16 +36,15 @@ public:
     const double cosine = scalar_product<ConcurrencyTag>(step, gradient_difference) / (s * y);
     if(!(cosine > 1e-10))
       return;
-    Pair pair;
-    if(m_pairs.size() == m_maximum_size) { // its memory serves again
-      pair = std::move(m_pairs.front());
-      m_pairs.pop_front();
-    }
+    if(m_pairs.size() < m_maximum_size)
+      m_pairs.emplace_back();
+    else
+      std::rotate(m_pairs.begin(), m_pairs.begin() + 1, m_pairs.end()); // the memory of the oldest serves again
+    Pair& pair = m_pairs.back();
     set_to_quotient(pair.step, step, s);
     set_to_quotient(pair.difference, gradient_difference, y);
     pair.cosine = cosine;
     pair.ratio = s / y;
-    m_pairs.push_back(std::move(pair));
   }
 
   // Turns a gradient into minus the product with the inverse Hessian, that of
@@ -84,8 +82,8 @@ private:
     for_each_index<ConcurrencyTag>(v.size(), [&](std::size_t i) { u[i] = float(v[i] / divisor); });
   }
 
-  std::size_t      m_maximum_size;
-  std::deque<Pair> m_pairs;
+  std::size_t       m_maximum_size;
+  std::vector<Pair> m_pairs;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -122,12 +122,14 @@ private:
   // curves.
   void choose_colors()
   {
-    std::map<bool, int> first; // reference of an inner edge and of an edge of the boundary
+    const Edge* first[2] = {nullptr, nullptr}; // inner one and one of the boundary
     std::vector<std::pair<std::size_t, int> > uses;
     bool differ = false;
     for(const Edge& e : m_edges)
       if(e.is_constrained) {
-        differ |= first.emplace(e.triangles < 2, e.reference).first->second != e.reference;
+        const Edge*& like = first[e.triangles < 2];
+        like = like == nullptr ? &e : like;
+        differ |= like->reference != e.reference;
         uses.insert(uses.end(), {{e.source, e.reference}, {e.target, e.reference}});
       }
     if(differ)
@@ -183,24 +185,25 @@ private:
     std::vector<double> sizes = rooms();
     const double thick = std::clamp(0.22 * (sizes.empty() ? 1 : quantile(sizes, 0.5)), 0.8, 1.8);
     Svg_width_classes thin(0.02, 0.6);
-    std::map<std::pair<bool, std::string>, std::vector<Svg_edge> > thick_edges; // inner ones first
+    std::map<int, std::vector<Svg_edge> > thick_edges[2]; // inner ones and those of the boundary, by reference
     for(const Edge& e : m_edges)
       if(m_picture.shows(line(e))) {
         if(e.is_constrained || e.triangles < 2)
-          thick_edges[{e.triangles < 2, color_of(e)}].push_back(line(e));
+          thick_edges[e.triangles < 2][m_edge_colors.empty() ? 0 : e.reference].push_back(line(e));
         else
           thin.add(0.11 * e.room, line(e));
       }
     m_picture.draw_edges(os, thin, thin_color, false);
-    for(const auto& c : thick_edges)
-      m_picture.draw_edges(os, c.second, c.first.second, c.first.first ? thick : 0.8 * thick);
+    for(bool is_boundary : {false, true})
+      for(const auto& c : thick_edges[is_boundary])
+        m_picture.draw_edges(os, c.second, color_of(c.first, is_boundary), is_boundary ? thick : 0.8 * thick);
   }
 
-  std::string color_of(const Edge& e) const
+  std::string color_of(int reference, bool is_boundary) const
   {
-    const auto color = m_edge_colors.find(e.reference);
+    const auto color = m_edge_colors.find(reference);
     return color != m_edge_colors.end() ? name_of(strong_color(color->second))
-                                        : e.triangles < 2 ? boundary_color : constraint_color;
+                                        : is_boundary ? boundary_color : constraint_color;
   }
 
   static int quality_class(double quality)
