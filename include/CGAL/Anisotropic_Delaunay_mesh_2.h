@@ -15,10 +15,9 @@
 #include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/exceptions.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/graph_of_triangulation.h>
-#include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/spatial_order.h>
 
 #include <cstddef>
-#include <deque>
 #include <utility>
 #include <vector>
 
@@ -296,7 +295,7 @@ private:
   {
     std::vector<Vertex_handle> vertices(points.size());
     Face_handle hint;
-    for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order(points, this->geom_traits())) {
+    for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order(points)) {
       vertices[i] = this->insert(points[i], hint);
       hint = vertices[i]->face();
     }
@@ -325,9 +324,9 @@ private:
   std::vector<bool> find_components()
   {
     std::vector<bool> inside;
-    std::deque<Seed> seeds(1, Seed{this->infinite_face(), false});
-    for(; !seeds.empty(); seeds.pop_front()) {
-      const Seed seed = seeds.front();
+    std::vector<Seed> seeds(1, Seed{this->infinite_face(), false});
+    for(std::size_t i = 0; i < seeds.size(); ++i) {
+      const Seed seed = seeds[i];
       if(seed.face->subdomain_index() != unvisited)
         continue;
       const int component = static_cast<int>(inside.size());

@@ -12,12 +12,11 @@
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Flip_policy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Triangulation_checker_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Vertex_remover_2.h>
-#include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/spatial_order.h>
 
 #include <CGAL/Constrained_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/spatial_sort.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -282,12 +281,10 @@ public:
   std::ptrdiff_t insert(PointIterator first, PointIterator last)
   {
     const size_type before = number_of_vertices();
-    std::vector<Point> points(first, last);
-    CGAL::spatial_sort(points.begin(), points.end(),
-                       Anisotropic_mesh_2::internal::Spatial_order_traits_2<Gt>(geom_traits()));
+    const std::vector<Point> points(first, last);
     Face_handle hint;
-    for(const Point& p : points)
-      hint = insert(p, hint)->face();
+    for(std::size_t i : Anisotropic_mesh_2::internal::spatial_order(points))
+      hint = insert(points[i], hint)->face();
     return number_of_vertices() - before;
   }
 

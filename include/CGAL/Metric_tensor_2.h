@@ -75,7 +75,8 @@ public:
   {
     Metric_tensor_2 m(m11, m12, m22);
     if(!m.is_positive_definite())
-      refuse("the metric tensor with m11 = ", m11, ", m12 = ", m12, ", m22 = ", m22);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor(
+        {{"the metric tensor with m11 = ", m11}, {", m12 = ", m12}, {", m22 = ", m22}});
     return m;
   }
 
@@ -87,7 +88,8 @@ public:
   static Metric_tensor_2 from_sizes(const FT& h1, const FT& h2, double angle = 0)
   {
     if(!(is_size(h1) && is_size(h2) && std::isfinite(angle)))
-      refuse("the metric with h1 = ", h1, ", h2 = ", h2, ", theta = ", angle);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor(
+        {{"the metric with h1 = ", h1}, {", h2 = ", h2}, {", theta = ", angle}});
     const FT l1 = FT(1) / (h1*h1), l2 = FT(1) / (h2*h2);
     if(angle == 0)
       return from_entries(l1, FT(0), l2);
@@ -101,7 +103,7 @@ public:
   static Metric_tensor_2 from_size(const FT& h)
   {
     if(!is_size(h))
-      refuse("the metric of size ", h);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor({{"the metric of size ", h}});
     return from_sizes(h, h);
   }
 
@@ -113,7 +115,8 @@ public:
     const double mean = (l[0] + l[2]) / 2, radius = std::hypot((l[0] - l[2]) / 2, l[1]);
     const double angle = std::atan2(2*l[1], l[0] - l[2]) / 2;
     if(!(std::abs(mean) + radius < 1400))
-      refuse("the metric whose logarithm has the entries ", l[0], ", ", l[1], ", ", l[2]);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor(
+        {{"the metric whose logarithm has the entries ", l[0]}, {", ", l[1]}, {", ", l[2]}});
     return from_sizes(FT(std::exp(-(mean + radius) / 2)), FT(std::exp(-(mean - radius) / 2)), angle);
   }
   /// @}
@@ -181,7 +184,8 @@ public:
   Metric_tensor_2 scaled(const FT& s) const
   {
     if(!is_size(s))
-      refuse("the metric tensor scaled by ", s, " with m11 = ", m_11, ", m22 = ", m_22);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor(
+        {{"the metric tensor scaled by ", s}, {" with m11 = ", m_11}, {", m22 = ", m_22}});
     return from_entries(m_11 / (s*s), m_12 / (s*s), m_22 / (s*s));
   }
 
@@ -232,14 +236,9 @@ private:
     for(int i = 0; i < 4 && !m.is_positive_definite(); ++i)
       m = Metric_tensor_2(m.m_11 + ulp*m.m_11, m.m_12, m.m_22 + ulp*m.m_22);
     if(!m.is_positive_definite())
-      refuse("the metric with h1 = ", h1, ", h2 = ", h2, ", theta = ", angle);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor(
+        {{"the metric with h1 = ", h1}, {", h2 = ", h2}, {", theta = ", angle}});
     return m;
-  }
-
-  template <class... Parts>
-  [[noreturn]] static void refuse(const Parts&... parts)
-  {
-    Anisotropic_mesh_2::internal::refuse_metric_tensor(parts...);
   }
 
   FT m_11, m_12, m_22;

@@ -51,8 +51,8 @@ public:
     const Metric_tensor_3 m(entries);
     const Entries& e = entries;
     if(!m.is_positive_definite())
-      Anisotropic_mesh_2::internal::refuse_metric_tensor("the metric tensor with the entries ", e[0], " ", e[1], " ",
-                                                         e[2], " ", e[3], " ", e[4], " ", e[5]);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor({{"the metric tensor with the entries ", e[0]}, {" ", e[1]},
+                                                          {" ", e[2]}, {" ", e[3]}, {" ", e[4]}, {" ", e[5]}});
     return m;
   }
 
@@ -111,7 +111,7 @@ private:
   static FT eigenvalue(const FT& size)
   {
     if(!(CGAL::is_finite(size) && size > 0))
-      Anisotropic_mesh_2::internal::refuse_metric_tensor("the metric with the size ", size);
+      Anisotropic_mesh_2::internal::refuse_metric_tensor({{"the metric with the size ", size}});
     return FT(1) / (size*size);
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/domain/Chord_graph_2.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/describe.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/exact_predicates.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/spatial_order.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -80,13 +81,13 @@ private:
 
   void triangulate()
   {
-    std::vector<std::pair<typename Exact::Point_2, std::size_t> > points;
-    for(std::size_t i = 0; i < m_graph.points().size(); ++i)
-      points.emplace_back(exact_point<K>(m_graph.points()[i]), i);
-    m_triangulation.insert(points.begin(), points.end());
-    std::vector<Vertex_handle> vertices(points.size());
-    for(auto v = m_triangulation.finite_vertices_begin(); v != m_triangulation.finite_vertices_end(); ++v)
-      vertices[v->info()] = v;
+    std::vector<Vertex_handle> vertices(m_graph.points().size());
+    Face_handle hint;
+    for(std::size_t i : spatial_order(m_graph.points())) {
+      vertices[i] = m_triangulation.insert(exact_point<K>(m_graph.points()[i]), hint);
+      vertices[i]->info() = i;
+      hint = vertices[i]->face();
+    }
     for(const auto& c : m_graph.chords())
       m_triangulation.insert_constraint(vertices[c.source], vertices[c.target]);
     for(auto f = m_triangulation.all_faces_begin(); f != m_triangulation.all_faces_end(); ++f)

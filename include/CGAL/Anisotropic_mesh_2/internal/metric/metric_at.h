@@ -15,6 +15,14 @@
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
+// Within a handler of `e`; apart, since evaluations stand everywhere.
+[[noreturn]] inline void rethrow_at(double x, double y, const Invalid_metric_tensor_exception& e)
+{
+  if(std::string(e.what()).find(" at the point (") != std::string::npos)
+    throw;
+  throw e.at(x, y);
+}
+
 // asks the field, and lets a complaint about the tensor name the point
 template <class Field, class Point>
 auto metric_at(const Field& field, const Point& p) -> decltype(field(p))
@@ -22,9 +30,7 @@ auto metric_at(const Field& field, const Point& p) -> decltype(field(p))
   try {
     return field(p);
   } catch(const Invalid_metric_tensor_exception& e) {
-    if(std::string(e.what()).find(" at the point (") != std::string::npos)
-      throw;
-    throw e.at(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    rethrow_at(CGAL::to_double(p.x()), CGAL::to_double(p.y()), e);
   }
 }
 

@@ -12,26 +12,32 @@
 
 #include <CGAL/number_utils.h>
 
+#include <cmath>
+#include <initializer_list>
 #include <string>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-inline std::string text_of_part(const char* words) { return words; }
-
-template <class Number>
-std::string text_of_part(const Number& x) { return describe(CGAL::to_double(x)); }
-
-inline bool is_part_finite(const char*) { return true; }
-
-template <class Number>
-bool is_part_finite(const Number& x) { return CGAL::is_finite(x); }
-
-// Throws the complaint that begins with the given words and numbers, and ends by what is wrong with these.
-template <class... Parts>
-[[noreturn]] void refuse_metric_tensor(const Parts&... parts)
+// a number with the words before it
+struct Part_of_complaint
 {
-  throw Invalid_metric_tensor_exception((text_of_part(parts) + ...)
-    + ((is_part_finite(parts) && ...) ? " is not positive definite" : " is not finite"));
+  template <class Number>
+  Part_of_complaint(const char* words, const Number& x) : words(words), number(CGAL::to_double(x)) {}
+
+  const char* words;
+  double      number;
+};
+
+// Throws the complaint that begins with these words and numbers, and ends by what is wrong with the numbers.
+[[noreturn]] inline void refuse_metric_tensor(std::initializer_list<Part_of_complaint> parts)
+{
+  std::string text;
+  bool are_finite = true;
+  for(const Part_of_complaint& part : parts) {
+    text += part.words + describe(part.number);
+    are_finite = are_finite && std::isfinite(part.number);
+  }
+  throw Invalid_metric_tensor_exception(text + (are_finite ? " is not positive definite" : " is not finite"));
 }
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

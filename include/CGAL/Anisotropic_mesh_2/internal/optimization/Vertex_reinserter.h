@@ -11,7 +11,7 @@
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Free_vertices.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/restore_connectivity.h>
-#include <CGAL/Anisotropic_mesh_2/internal/kernel/spatial_order.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/spatial_order.h>
 #include <CGAL/Anisotropic_mesh_2/internal/optimization/Vertex_mover.h>
 
 #include <cstddef>
@@ -45,7 +45,10 @@ public:
     const Array start = m_free.positions();
     Mesh next = m_empty;
     Face_handle hint;
-    for(std::size_t i : spatial_order(target)) {
+    std::vector<Point> points;
+    for(std::size_t i = 0; i < m_free.size(); ++i)
+      points.push_back(m_free.point(target, i));
+    for(std::size_t i : spatial_order(points)) {
       const Vertex_handle v = insert_on_the_way(next, start, target, i, hint);
       if(v == Vertex_handle()) {
         Field_metric<Mesh> field(m_mesh);
@@ -75,14 +78,6 @@ private:
   {
     m_mesh.swap(mesh);
     m_free.find_in(m_mesh);
-  }
-
-  std::vector<std::size_t> spatial_order(const Array& positions) const
-  {
-    std::vector<Point> points;
-    for(std::size_t i = 0; i < m_free.size(); ++i)
-      points.push_back(m_free.point(positions, i));
-    return internal::spatial_order(points, m_mesh.geom_traits());
   }
 
   Vertex_handle insert_on_the_way(Mesh& mesh, const Array& start, const Array& target, std::size_t vertex,
