@@ -80,26 +80,25 @@ private:
 
   void advance_fronts(std::vector<Vertex_pair> edges)
   {
-    repeat_rounds(std::move(edges), [this](const Vertex_pair& e) { advance(e.first, e.second); });
+    repeat_rounds(std::move(edges), &Field_point_inserter::advance);
   }
 
   void subdivide_edges(std::vector<Vertex_pair> edges)
   {
-    repeat_rounds(std::move(edges), [this](const Vertex_pair& e) { subdivide(e.first, e.second); });
+    repeat_rounds(std::move(edges), &Field_point_inserter::subdivide);
   }
 
   // Each round looks at the edges that the last one created. Accepted points
   // keep a distance in the metric, which ends the rounds; the bound is for
   // metrics so rough that distances mean little.
-  template <class Treat>
-  void repeat_rounds(std::vector<Vertex_pair> edges, const Treat& treat)
+  void repeat_rounds(std::vector<Vertex_pair> edges, void (Field_point_inserter::*treat)(Vertex_handle, Vertex_handle))
   {
     for(int round = 0; round < maximum_number_of_rounds && !edges.empty(); ++round) {
       const std::size_t first = m_new_vertices.size();
       for(const Vertex_pair& e : edges) {
         if(!may_go_on())
           return;
-        treat(e);
+        (this->*treat)(e.first, e.second);
       }
       edges = edges_of_new_vertices(first);
     }

@@ -148,7 +148,9 @@ private:
     });
     pieces.erase(std::remove_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !(p.error > tolerance); }),
                  pieces.end());
-    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) { return p.error > q.error; });
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+      return p.error != q.error ? p.error > q.error : p.patch < q.patch;
+    });
     const std::size_t left = (1 + 4 * quarterings_of_triangle) * m_triangles.size() - m_patches.size();
     const std::size_t n = depth < maximum_depth ? (std::min)(pieces.size(), left / 4) : 0;
     for(std::size_t i = n; i < pieces.size(); ++i) {

@@ -94,7 +94,7 @@ private:
         }
       } else
         m_edges[n++] = e;
-    m_edges.resize(n);
+    m_edges.erase(m_edges.begin() + static_cast<std::ptrdiff_t>(n), m_edges.end());
   }
 
   // The room is the least of the length of an edge and the height of the triangle.
