@@ -146,6 +146,13 @@ void test_ends_on_circle()
     domain.add_polyline(Points{Point(0, 0), Point(std::cos(angle), std::sin(angle))});
     CHECK(is_valid(domain) && count(domain, Role::BOUNDARY) == 2);
   }
+  Domain turned; // none of the points sampled is farthest out along an axis
+  turned.add_loop(std::vector<Piece>{Piece::arc(Point(0, 0), 1, pi / 64, pi / 64 + 2 * pi)});
+  turned.add_polyline(Points{Point(0, 0), Point(0, 1)});
+  CHECK(is_valid(turned) && count(turned, Role::BOUNDARY) == 2);
+  Domain flat = polygon(Points{Point(0, 0.3), Point(1, 0.3), Point(1, 1), Point(0, 1)});
+  flat.add_polyline(Points{Point(0.5, 0.7), Point(0.5, std::nextafter(0.3, 1))}); // misses its edge by rounding
+  CHECK(is_valid(flat) && count(flat, Role::BOUNDARY) == 5);
 }
 
 // An inner curve between the boundary and a chord of it, where first approximations have no place for it: inside.

@@ -72,18 +72,30 @@ public:
       search(distance, bound, visit, second.second);
   }
 
-  // Sets `found` to the items, ascending, whose boxes may have a point in common with `box`: all of those in leaves
-  // that have.
-  void find_near(const Bbox_2& box, std::vector<std::size_t>& found) const
+  // Sets `found` to the items, ascending, in leaves whose boxes have a point in common with `box`.
+  void find_overlapping(const Bbox_2& box, std::vector<std::size_t>& found) const
   {
     found.clear();
-    const auto overlaps = [&](std::size_t at) { return do_overlap(m_nodes[at].box, box) ? 0. : 1.; };
-    if(!m_nodes.empty() && overlaps(0) == 0)
-      search(overlaps, [] { return 0.; }, [&](std::size_t k) { found.push_back(m_order[k]); });
+    if(!m_nodes.empty())
+      append_overlapping(box, 0, found);
     std::sort(found.begin(), found.end());
   }
 
 private:
+  void append_overlapping(const Bbox_2& box, std::size_t at, std::vector<std::size_t>& found) const
+  {
+    const Node& n = m_nodes[at];
+    if(!do_overlap(n.box, box))
+      return;
+    if(n.is_leaf()) {
+      for(std::size_t k = n.begin; k < n.end; ++k)
+        found.push_back(m_order[k]);
+      return;
+    }
+    append_overlapping(box, at + 1, found);
+    append_overlapping(box, n.second_child, found);
+  }
+
   void build(const std::vector<Bbox_2>& boxes, std::size_t leaf_size, std::size_t begin, std::size_t end)
   {
     Bbox_2 box;

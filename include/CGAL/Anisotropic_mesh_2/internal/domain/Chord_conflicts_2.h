@@ -60,12 +60,12 @@ private:
     std::vector<Bbox_2> boxes;
     for(const Chord& c : m_graph.chords())
       boxes.push_back(m_points[c.source].bbox() + m_points[c.target].bbox());
-    const Box_tree tree(boxes, 4);
-    std::vector<std::size_t> near;
+    const Box_tree tree(boxes, 1);
+    std::vector<std::size_t> found;
     for(std::size_t i = 0; i < boxes.size(); ++i) {
-      tree.find_near(boxes[i], near);
-      for(std::size_t k : near)
-        if(k > i && do_overlap(boxes[i], boxes[k]) && meet_wrongly(m_graph.chords()[i], m_graph.chords()[k])) {
+      tree.find_overlapping(boxes[i], found);
+      for(std::size_t k : found)
+        if(k > i && meet_wrongly(m_graph.chords()[i], m_graph.chords()[k])) {
           m_meeting.push_back(Pair(i, k));
           if(is_segment(i) && is_segment(k)) { // nothing separates them, so that no other pair counts
             m_meeting.assign(1, Pair(i, k));
@@ -115,11 +115,13 @@ private:
 
   void find_enclosed_points()
   {
+    if(std::all_of(m_pieces.begin(), m_pieces.end(), [](const auto& piece) { return piece.curve.is_straight(); }))
+      return;
     std::vector<Bbox_2> boxes;
     for(const Exact_point& p : m_points)
       boxes.push_back(p.bbox());
-    const Box_tree tree(boxes, 4);
-    std::vector<std::size_t> near;
+    const Box_tree tree(boxes, 1);
+    std::vector<std::size_t> found;
     for(std::size_t i = 0; i < m_graph.chords().size(); ++i) {
       const Chord& c = m_graph.chords()[i];
       if(is_segment(i))
@@ -128,9 +130,9 @@ private:
       Bbox_2 box;
       for(const Exact_point& p : r)
         box += p.bbox();
-      tree.find_near(box, near);
-      for(std::size_t k : near)
-        if(k != c.source && k != c.target && do_overlap(box, boxes[k]) && encloses(r, m_points[k]))
+      tree.find_overlapping(box, found);
+      for(std::size_t k : found)
+        if(k != c.source && k != c.target && encloses(r, m_points[k]))
           m_enclosed.push_back(Pair(i, k));
     }
   }

@@ -90,14 +90,14 @@ private:
       ends.push_back(&end);
       boxes.push_back(end.first.bbox());
     }
-    const Box_tree tree(boxes, 4);
-    std::vector<std::size_t> near;
+    const Box_tree tree(boxes, 1);
+    std::vector<std::size_t> found;
     for(std::size_t i = 0; i < m_pieces.size(); ++i) {
       const Curve_piece_2<K>& curve = m_pieces[i].curve;
       const Bbox_2 box = sampled_box(curve);
       const double allowed = tolerance(box), size = (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-      tree.find_near(enlarged(box, 2 * (allowed + (curve.is_straight() ? 0 : size / samples))), near);
-      for(std::size_t k : near)
+      tree.find_overlapping(enlarged(box, 2 * (allowed + (curve.is_straight() ? 0 : size / samples))), found);
+      for(std::size_t k : found)
         consider(i, ends[k]->first, ends[k]->second > 0, allowed);
     }
   }

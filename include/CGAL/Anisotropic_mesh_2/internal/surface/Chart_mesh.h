@@ -167,11 +167,11 @@ private:
     std::vector<Bbox_2> boxes;
     for(const Chart_edge& e : edges)
       boxes.push_back(enlarged(segment(e).bbox(), reach));
-    const Box_tree tree(boxes, 4);
-    std::vector<std::size_t> near, result;
+    const Box_tree tree(boxes, 1);
+    std::vector<std::size_t> found, result;
     for(std::size_t i = 0; i < edges.size(); ++i) {
-      tree.find_near(boxes[i], near);
-      for(std::size_t k : near) {
+      tree.find_overlapping(boxes[i], found);
+      for(std::size_t k : found) {
         const Chart_edge &e = edges[i], &f = edges[k];
         if(k > i && e[0] != f[0] && e[0] != f[1] && e[1] != f[0] && e[1] != f[1]
            && squared_distance(segment(e), segment(f)) <= reach * reach)

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,18 +51,18 @@ inline Svg_line simplified(const Svg_line& line)
 // as leave at each point, all lines are closed.
 inline std::vector<Svg_line> joined_lines(const std::vector<Svg_edge>& edges, bool are_directed)
 {
-  typedef std::tuple<Svg_point, Svg_point, std::size_t> Step; // from, to, edge
+  typedef std::pair<Svg_edge, std::size_t> Step; // with its number among the edges
   std::vector<Step> steps;
   for(std::size_t i = 0; i < edges.size(); ++i)
     if(edges[i].first != edges[i].second) {
-      steps.emplace_back(edges[i].first, edges[i].second, i);
+      steps.emplace_back(edges[i], i);
       if(!are_directed)
-        steps.emplace_back(edges[i].second, edges[i].first, i);
+        steps.emplace_back(Svg_edge(edges[i].second, edges[i].first), i);
     }
   std::sort(steps.begin(), steps.end());
   const auto first_from = [&](const Svg_point& p) {
     return std::size_t(std::lower_bound(steps.begin(), steps.end(), p, [](const Step& s, const Svg_point& q) {
-                         return std::get<0>(s) < q;
+                         return s.first.first < q;
                        }) - steps.begin());
   };
   std::vector<bool> is_used(edges.size(), false);
@@ -72,12 +71,12 @@ inline std::vector<Svg_line> joined_lines(const std::vector<Svg_edge>& edges, bo
     Svg_line line(1, p);
     for(std::size_t first = first_from(p); first < steps.size();) {
       const std::size_t s = first + passed[first];
-      if(s == steps.size() || std::get<0>(steps[s]) != p)
+      if(s == steps.size() || steps[s].first.first != p)
         break;
       ++passed[first];
-      if(!is_used[std::get<2>(steps[s])]) {
-        is_used[std::get<2>(steps[s])] = true;
-        line.push_back(p = std::get<1>(steps[s]));
+      if(!is_used[steps[s].second]) {
+        is_used[steps[s].second] = true;
+        line.push_back(p = steps[s].first.second);
         first = first_from(p);
       }
     }
@@ -86,8 +85,8 @@ inline std::vector<Svg_line> joined_lines(const std::vector<Svg_edge>& edges, bo
   std::vector<Svg_line> lines;
   for(bool from_odd_points : {true, false}) // those in which lines must end
     for(std::size_t first = 0, last; first < steps.size(); first = last) {
-      const Svg_point p = std::get<0>(steps[first]);
-      for(last = first; last < steps.size() && std::get<0>(steps[last]) == p;)
+      const Svg_point p = steps[first].first.first;
+      for(last = first; last < steps.size() && steps[last].first.first == p;)
         ++last;
       if(!from_odd_points || (last - first) % 2 == 1)
         for(Svg_line line = line_from(p); line.size() > 1; line = line_from(p))
