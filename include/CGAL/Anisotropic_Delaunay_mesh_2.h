@@ -10,6 +10,7 @@
 #include <CGAL/Anisotropic_mesh_face_base_2.h>
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
 #include <CGAL/Constrained_anisotropic_Delaunay_triangulation_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/is_own_edge.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/flood.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/assign_data.h>
 #include <CGAL/Anisotropic_mesh_2/Boundary_graph_2.h>
@@ -213,7 +214,7 @@ public:
     std::vector<Edge> edges;
     for(Face_handle f : faces_in_domain())
       for(int i = 0; i < 3; ++i)
-        if(f->vertex(ccw(i))->index() < f->vertex(cw(i))->index() || !f->neighbor(i)->is_in_domain())
+        if(Anisotropic_mesh_2::internal::is_own_edge(f, i))
           edges.push_back(Edge(f, i));
     return edges;
   }

@@ -41,6 +41,17 @@ struct Quality_improvement
   }
 };
 
+namespace internal {
+
+template <class Mesh>
+Quality_improvement improve_qualities(Mesh& mesh, Sampled_metric<Mesh>& metric, const Time_budget& time)
+{
+  Quality_improver<Mesh> improve(mesh, metric, time);
+  const Mesh_optimization_return_code code = improve();
+  return {code, improve.number_of_trials(), improve.number_of_improvements()};
+}
+
+} // namespace internal
 } // namespace Anisotropic_mesh_2
 
 /// \ingroup PkgAnisotropicMesh2Functions
@@ -56,6 +67,9 @@ struct Quality_improvement
 ///
 /// `optimize_anisotropic_mesh_2()` calls this function at the end unless it is told not to; alone it is of use for
 /// meshes that are optimized already.
+///
+/// The field is sampled at the beginning, 5 to 50 times per vertex, see \ref AnisotropicMesh2Sampling; afterwards it is
+/// evaluated for the vertices that are moved, and where the samples say too little, up to 29 times per vertex.
 ///
 /// Fixed vertices stay where they are. Handles to vertices that are not removed stay valid; vertices that are not
 /// required may get the indices of removed ones. The time is proportional to the number of bad faces, apart from some
@@ -82,8 +96,9 @@ struct Quality_improvement
 /// \cgalNamedParamsEnd
 ///
 /// \return why it stopped: `CONVERGENCE_REACHED` if no face of low quality is left,
-/// `CANT_IMPROVE_ANYMORE` if trials change nothing any more, `MAX_ITERATION_NUMBER_REACHED` after three rounds or if
-/// the number of trials has reached 512 plus a 16th of the number of faces, or `TIME_LIMIT_REACHED`; and the numbers of
+/// `CANT_IMPROVE_ANYMORE` if trials change nothing any more, `MAX_ITERATION_NUMBER_REACHED` after three rounds, if
+/// the number of trials has reached 512 plus a 16th of the number of faces, or if faces were passed over because the
+/// evaluations of the field are used up, or `TIME_LIMIT_REACHED`; and the numbers of
 /// trials and improvements. The mesh is valid in each case.
 /// \throw Anisotropic_mesh_2::Invalid_metric_tensor_exception if the field fails at a point of the domain; the mesh is
 /// valid then, and improved in some places.
@@ -96,9 +111,8 @@ improve_anisotropic_mesh_2(Mesh& mesh, const CGAL_NP_CLASS& np = CGAL::parameter
   namespace internal = Anisotropic_mesh_2::internal;
   const internal::Required_for_now<Mesh> required(mesh, np);
   const internal::Time_budget time(choose_parameter(get_parameter(np, internal_np::maximum_running_time), 0.));
-  internal::Quality_improver<Mesh> improve(mesh, time);
-  const Mesh_optimization_return_code code = improve();
-  return {code, improve.number_of_trials(), improve.number_of_improvements()};
+  internal::Sampled_metric<Mesh> metric(mesh);
+  return internal::improve_qualities(mesh, metric, time);
 }
 
 } // namespace CGAL

@@ -223,10 +223,11 @@ Mesh optimized(const Field& field, Measure measure)
   return mesh;
 }
 
-// (2.4): the squared error is at most the energy, and not much less.
+// (2.4): to first order, the squared error is at most the energy; and it is not much less. With regions as large as the
+// layer the function turns within them, and there is no such bound.
 void test_bound()
 {
-  for(double e : {0.2, 0.1, 0.05}) {
+  for(double e : {0.1, 0.05}) {
     const Mesh mesh = optimized(CGAL::make_gradient_metric_field_2<K>(gradient_of_layer, 0.1, e), Measure::LEBESGUE);
     const double error = CGAL::piecewise_constant_approximation_error_2(regions(mesh), layer).l2;
     const double bound = e*e * CGAL::anisotropic_mesh_statistics_2(mesh, Measure::LEBESGUE).energy;

@@ -347,36 +347,35 @@ typedef std::function<Symmetric_form(const Vector_of_doubles&)> Logarithm;
 
 const int cells = 8; // along each side of the unit square, each of two triangles
 
-// Two triangles are neighbors unless their common edge lies on the slit from (0, 1/2) to (3/4, 1/2).
+// Points on the slit from (0, 1/2) to (3/4, 1/2) are there twice, so that triangles on both sides are no neighbors.
 Control_space sampled(const Logarithm& logarithm, bool has_slit)
 {
   CGAL::Anisotropic_mesh_2::internal::Vectors points;
-  std::vector<Symmetric_form> logarithms;
   for(int j = 0; j <= cells; ++j)
-    for(int i = 0; i <= cells; ++i) {
+    for(int i = 0; i <= cells; ++i)
       points.push_back({double(i) / cells, double(j) / cells});
-      logarithms.push_back(logarithm(points.back()));
-    }
-  std::vector<Control_space::Triangle> triangles;
+  const int first_of_slit = cells / 2 * (cells + 1), tip = first_of_slit + 3 * cells / 4, first_double = int(points.size());
+  for(int p = first_of_slit; p < tip && has_slit; ++p)
+    points.push_back(Vector_of_doubles(points[p]));
+  const auto above_slit = [&](int p)
+                          { return has_slit && p >= first_of_slit && p < tip ? p - first_of_slit + first_double : p; };
+  std::vector<Control_space::Indices> corners;
   for(int j = 0; j < cells; ++j)
     for(int i = 0; i < cells; ++i) {
-      const int a = j*(cells + 1) + i, b = a + cells + 1;
-      triangles.push_back({{{a, a + 1, b + 1}}, {{-1, -1, -1}}});
-      triangles.push_back({{{a, b + 1, b}}, {{-1, -1, -1}}});
+      int a = j*(cells + 1) + i, next = a + 1;
+      const int b = a + cells + 1;
+      if(j == cells / 2) {
+        a = above_slit(a);
+        next = above_slit(next);
+      }
+      corners.push_back({{a, next, b + 1}});
+      corners.push_back({{a, b + 1, b}});
     }
-  std::map<std::pair<int, int>, std::size_t> triangle_of; // by directed edges
-  for(std::size_t t = 0; t < triangles.size(); ++t)
-    for(int k = 0; k < 3; ++k)
-      triangle_of[{triangles[t].corner[(k + 1) % 3], triangles[t].corner[(k + 2) % 3]}] = t;
-  for(auto& t : triangles)
-    for(int k = 0; k < 3; ++k) {
-      const int p = t.corner[(k + 1) % 3], q = t.corner[(k + 2) % 3];
-      const auto found = triangle_of.find({q, p});
-      const bool is_on_slit = points[p].y == 0.5 && points[q].y == 0.5 && (std::max)(points[p].x, points[q].x) <= 0.75;
-      if(found != triangle_of.end() && !(has_slit && is_on_slit))
-        t.neighbor[k] = int(found->second);
-    }
-  return Control_space(CGAL::Sequential_tag(), points, triangles, logarithms, logarithm);
+  std::vector<Symmetric_form> logarithms;
+  for(const Vector_of_doubles& p : points)
+    logarithms.push_back(logarithm(p));
+  return Control_space(CGAL::Sequential_tag(), CGAL::Anisotropic_mesh_2::internal::sampling_for_iteration, points, corners,
+                       logarithms, logarithm);
 }
 
 // Quadratic logarithms are interpolated exactly, whichever triangle the search begins in, also around the tip of a

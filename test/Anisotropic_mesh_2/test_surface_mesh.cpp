@@ -95,12 +95,13 @@ void check_closed(const Mesh& mesh, int characteristic, const std::string& name)
   CHECK_MSG(!PMP::does_self_intersect(m), name);
 }
 
-void check_quality(const Statistics& s, double mean, double least, const std::string& name)
+void check_quality(const Statistics& s, double mean, double least, const std::string& name,
+                   double energy_ratio = 1.02)
 {
   CHECK_MSG(s.quality_mean >= mean && s.quality_min >= least,
             name + ": " + std::to_string(s.quality_mean) + ", " + std::to_string(s.quality_min));
   CHECK_MSG(s.edge_length_unit_share > 0.98, name + ": " + std::to_string(s.edge_length_unit_share));
-  CHECK_MSG(s.energy_ratio > 0.99 && s.energy_ratio < 1.02, name + ": " + std::to_string(s.energy_ratio));
+  CHECK_MSG(s.energy_ratio > 0.99 && s.energy_ratio < energy_ratio, name + ": " + std::to_string(s.energy_ratio));
 }
 
 // The faces that touch the seams of both parameters are as good as the others.
@@ -265,16 +266,16 @@ void test_tessellation_of_sphere()
 void test_paper_surfaces()
 {
   typedef CGAL::Anisotropic_mesh_2::Quadratic_graph_surface_3<K> Graph;
-  const auto check = [](const auto& mesh, double mean, double least, const std::string& name) {
+  const auto check = [](const auto& mesh, double mean, double least, const std::string& name, double energy_ratio = 1.02) {
     const CGAL::Surface_mesh<Point_3> m = in_space(mesh);
     CHECK_MSG(euler_characteristic(m) == 1 && !PMP::does_self_intersect(m), name);
-    check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), mean, least, name);
+    check_quality(CGAL::anisotropic_surface_mesh_statistics_3(mesh), mean, least, name, energy_ratio);
   };
   check(CGAL::make_anisotropic_surface_mesh_3(surface_field
     (Graph(1, 1, square(2)), [](const Point_3& p) { return 0.06 + 0.15 * std::abs(p.y()); })), 0.979, 0.6, "paraboloid");
   check(CGAL::make_anisotropic_surface_mesh_3(surface_field
     (Graph(2, -4, square(1)), [](const Point_3&) { return CGAL::Metric_tensor_3<K>::from_sizes(0.04, 0.4, 0.04); })),
-        0.971, 0.55, "saddle, sizes");
+        0.971, 0.55, "saddle, sizes", 1.04); // along the ridge, quality moves pay for shapes with energy
   check(CGAL::make_anisotropic_surface_mesh_3(surface_field
     (Graph(2, -4, square(2)), CGAL::Anisotropic_mesh_2::Curvature_metric_3<Graph>(0.001, 0.005, 1))), 0.968, 0.55, "saddle, curvature");
 }

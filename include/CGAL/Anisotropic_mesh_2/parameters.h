@@ -87,7 +87,7 @@ namespace parameters {
 
 /// the largest metric length of a Lloyd move at which an optimizer stops.
 inline constexpr internal::Parameter_name<internal::convergence_t> convergence{};
-/// the share of the energy that ten iterations of an optimizer must save if it is to go on.
+/// the share of the energy that five iterations of an optimizer must save if it is to go on.
 inline constexpr internal::Parameter_name<internal::energy_reduction_t> energy_reduction{};
 /// whether straight pieces of the boundary are taken as they are instead of being subdivided.
 inline constexpr internal::Parameter_name<internal::keep_boundary_points_t> keep_boundary_points{};

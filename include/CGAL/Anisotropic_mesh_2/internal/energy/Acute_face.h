@@ -48,6 +48,30 @@ public:
       regions[k]->moments.a += (1 - centre[k]) * m_scale * m_area / 4 * m_sample.tensor;
   }
 
+  // Adds the moments of the parts of the regions; returns the energy.
+  double add_to(const std::array<Region_moments*, 3>& regions) const
+  {
+    const Barycentric l = m_triangle.circumcentre();
+    const Vector_of_doubles centre = point_of(m_triangle.corner, l);
+    for(int k = 0; k < 3; ++k) {
+      const Vector_of_doubles& z = m_triangle.corner[k];
+      const Vector_of_doubles c = {centre.x - z.x, centre.y - z.y};
+      Vector_of_doubles first = {0, 0}; // of the two triangles from the corner to the circumcentre
+      for(int i : {(k + 1) % 3, (k + 2) % 3}) {
+        const Vector_of_doubles& w = m_triangle.corner[i];
+        const double share = l[3 - i - k] / 12; // a third of its area, which is half of that up to the other corner
+        first.x += share * (c.x + (w.x - z.x) / 2);
+        first.y += share * (c.y + (w.y - z.y) / 2);
+      }
+      const Symmetric_form weighted = m_scale * m_area * m_sample.tensor;
+      const Vector_of_doubles g = weighted.times(first);
+      regions[k]->a += (1 - l[k]) / 4 * weighted;
+      regions[k]->gx += g.x;
+      regions[k]->gy += g.y;
+    }
+    return m_scale * Closed_form(m_triangle, m_area).value;
+  }
+
 private:
   // The integral of the squared distance to the nearest corner, and its derivatives by the squared lengths of the
   // edges and by the doubled area, as if these were independent.

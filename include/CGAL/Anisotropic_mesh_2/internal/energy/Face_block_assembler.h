@@ -36,7 +36,7 @@ class Face_block_assembler
   typedef typename Mesh::Face_handle   Face_handle;
 
 public:
-  // `parts` gives for each vertex, by its index, into how many parts edges at it are divided.
+  // `parts` gives for each vertex, by its index, into how many parts edges of the faces at it may be divided.
   Face_block_assembler(const Mesh& mesh, const Metric& metric, const std::vector<unsigned char>& parts,
                        bool is_riemannian)
     : m_mesh(&mesh), m_metric(&metric), m_parts(&parts), m_is_riemannian(is_riemannian)
@@ -56,7 +56,7 @@ public:
   {
     start(begin, end);
     for(const Face_handle* f = begin; f != end; ++f)
-      add_regions(*f);
+      add_regions(*f, m_corners[f - begin]);
   }
 
   double energy() const { return m_energy; }
@@ -92,12 +92,7 @@ private:
   int parts(Face_handle f) const
   {
     const auto of = [&](int i) { return (*m_parts)[f->vertex(i)->index()]; };
-    return (std::max)({of(0), of(1), of(2)});
-  }
-
-  Metric_sample sample(Face_handle f, const Triangle_of_doubles& z, const Barycentric& l) const
-  {
-    return (*m_metric)(point_of(z, l), f->vertex(0));
+    return (std::min)({of(0), of(1), of(2)});
   }
 
   double density(const Metric_sample& s) const { return m_is_riemannian ? s.root_of_determinant : 1; }
@@ -106,10 +101,11 @@ private:
   {
     const Triangle_of_doubles z = {m_positions[corners[0]], m_positions[corners[1]], m_positions[corners[2]]};
     const int n = parts(f);
-    const Metric_sample middle = sample(f, z, {{1./3, 1./3, 1./3}});
+    typename Metric::Place place = m_metric->place_near(f->vertex(0));
+    const Metric_sample middle = (*m_metric)(barycentre(z), place);
     const Metric_triangle t(z, middle.tensor);
     Face_gradient g;
-    if(n == 1 && t.is_acute() && !has_obtuse_neighbor(f, z, middle.tensor))
+    if(n == 1 && is_divided_by_bisectors(f, t, middle.tensor))
       Acute_face(t, middle, density(middle))
         .add_to(g, m_is_riemannian, {{&m_sums[corners[0]], &m_sums[corners[1]], &m_sums[corners[2]]}});
     else {
@@ -127,10 +123,22 @@ private:
     couplings.add(corners, response.couplings());
   }
 
-  void add_regions(Face_handle f)
+  void add_regions(Face_handle f, const Corners& corners)
   {
+    const Triangle_of_doubles z = {m_positions[corners[0]], m_positions[corners[1]], m_positions[corners[2]]};
+    const int n = parts(f);
+    if(n == 1) {
+      typename Metric::Place place = m_metric->place_near(f->vertex(0));
+      const Metric_sample middle = (*m_metric)(barycentre(z), place);
+      const Metric_triangle t(z, middle.tensor);
+      if(is_divided_by_bisectors(f, t, middle.tensor)) {
+        m_energy += Acute_face(t, middle, density(middle))
+          .add_to({{&m_sums[corners[0]].moments, &m_sums[corners[1]].moments, &m_sums[corners[2]].moments}});
+        return;
+      }
+    }
     Face_gradient ignored;
-    add_parts(f, triangle_of_doubles(f), parts(f), ignored);
+    add_parts(f, z, n, ignored);
     m_energy += ignored.energy;
   }
 
@@ -139,13 +147,20 @@ private:
   void add_parts(Face_handle f, const Triangle_of_doubles& z, int n, Face_gradient& g)
   {
     const Part_generators generators = generators_near(f);
+    typename Metric::Place place = m_metric->place_near(f->vertex(0));
     for(const Face_part& part : parts_of_face(n)) {
-      const Metric_sample s = sample(f, z, part.barycentre);
+      const Metric_sample s = (*m_metric)(point_of(z, part.barycentre), place);
       Part_integrator integrate(part.corners(z), s.tensor, density(s));
       integrate(generators);
       g.add(part, integrate.gradient());
       g.add(part.barycentre, s, integrate.energy(), integrate.by_tensor(), m_is_riemannian);
     }
+  }
+
+  // whether the bisectors of its corners alone divide a face, and meet in it
+  bool is_divided_by_bisectors(Face_handle f, const Metric_triangle& t, const Symmetric_form& m) const
+  {
+    return t.is_acute() && !has_obtuse_neighbor(f, t.corner, m);
   }
 
   // In an obtuse neighbor the vertex opposite to the common edge is nearer to a

@@ -40,8 +40,8 @@ class Facewise_energy
 public:
   static constexpr bool has_couplings = true;
 
-  // Edges are halved where the logarithm of the metric varies by more than
-  // `tolerance`, and quartered from twice that on.
+  // The edges of a face are halved where the logarithm of the metric varies by more than `tolerance` around
+  // all of its vertices, and quartered from twice that on.
   Facewise_energy(const Mesh& mesh, const Metric& metric, Measure measure, double tolerance)
     : m_mesh(mesh), m_is_riemannian(measure == Measure::RIEMANNIAN),
       m_parts(parts_at_vertices(mesh, metric, tolerance)),

@@ -25,13 +25,16 @@ class Field_metric
   typedef typename Mesh::Metric_tensor_2 Metric_tensor_2;
 
 public:
+  typedef Vertex_handle Place;
+
   explicit Field_metric(const Mesh& mesh)
     : m_mesh(mesh), m_tensor(mesh.geom_traits().construct_metric_tensor_2_object())
   {}
 
   Metric_tensor_2 operator()(Vertex_handle v) const { return m_tensor(v->point()); }
 
-  // at x, which lies near the vertex
+  static Place place_near(Vertex_handle v) { return v; }
+
   Symmetric_form tensor(const Vector_of_doubles& x, Vertex_handle) const
   {
     return Symmetric_form(m_tensor(point_at<Point>(x.x, x.y)));
@@ -61,7 +64,8 @@ public:
     return largest;
   }
 
-  bool is_resolved(Vertex_handle) const { return true; }
+  static bool is_resolved(Vertex_handle) { return true; }
+  static bool is_accurate() { return true; }
 
 private:
   const Mesh& m_mesh;

@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -32,11 +30,14 @@ class Sampled_metric
   typedef typename Metric_tensor_2::FT FT;
 
 public:
+  typedef int Place; // a triangle of the control space
+
   template <class ConcurrencyTag>
-  Sampled_metric(ConcurrencyTag tag, const Mesh& mesh)
+  Sampled_metric(ConcurrencyTag tag, const Mesh& mesh,
+                 const Sampling& sampling = sampling_for_iteration)
     : m_triangle_of(mesh.vertex_index_bound(), 0), m_variation(mesh.vertex_index_bound(), 0),
-      m_is_resolved(mesh.vertex_index_bound(), true), m_size(typical_size(mesh)),
-      m_space(make_space(tag, mesh, m_size, m_triangle_of))
+      m_is_resolved(mesh.vertex_index_bound(), true), m_is_accurate(mesh.vertex_index_bound(), true),
+      m_size(typical_size(mesh)), m_space(make_space(tag, mesh, sampling, m_size, m_triangle_of))
   {
     int triangle = 0;
     for(Face_handle f : mesh.faces_in_domain()) {
@@ -44,6 +45,7 @@ public:
         const int i = f->vertex(k)->index();
         m_variation[i] = (std::max)(m_variation[i], m_space.variation(triangle));
         m_is_resolved[i] = m_is_resolved[i] && m_space.is_resolved(triangle);
+        m_is_accurate[i] = m_is_accurate[i] && m_space.is_accurate(triangle);
       }
       ++triangle;
     }
@@ -51,35 +53,86 @@ public:
 
   explicit Sampled_metric(const Mesh& mesh) : Sampled_metric(Sequential_tag(), mesh) {}
 
-  // the tensor at x, which lies near v
-  Metric_sample operator()(const Vector_of_doubles& x, Vertex_handle v) const
+  // where to search for points near v
+  Place place_near(Vertex_handle v) const { return m_triangle_of[v->index()]; }
+
+  // to be called for vertices that come later
+  void set_place(Vertex_handle v, Place place)
   {
-    int triangle = m_triangle_of[v->index()];
-    const Metric_sample s = m_space(x, triangle);
+    m_triangle_of.resize((std::max)(m_triangle_of.size(), std::size_t(v->index()) + 1), place);
+    m_triangle_of[v->index()] = place;
+  }
+
+  // the tensor at x; the search begins at a place that becomes that of x
+  Metric_sample operator()(const Vector_of_doubles& x, Place& place) const
+  {
+    const Metric_sample s = m_space(x, place);
     const double unit = 1 / (m_size * m_size);
     return {unit * s.tensor, unit * s.by_x, unit * s.by_y, unit * s.root_of_determinant};
   }
 
+  Symmetric_form tensor(const Vector_of_doubles& x, Place& place) const
+  {
+    return tensor_of(m_space.logarithm(x, place));
+  }
+
   Symmetric_form tensor(const Vector_of_doubles& x, Vertex_handle v) const
   {
-    int triangle = m_triangle_of[v->index()];
-    return 1 / (m_size * m_size) * Tensor_exponential(m_space.logarithm(x, triangle)).value();
+    Place place = place_near(v);
+    return tensor(x, place);
+  }
+
+  Metric_tensor_2 metric_tensor(const Vector_of_doubles& x, Place& place) const
+  {
+    const Symmetric_form l = m_space.logarithm(x, place), m = Tensor_exponential(l).value();
+    if(!(m.determinant() > 1e-6 * m.a * m.c)) // rounding errors of the entries are too large
+      return Metric_tensor_2::from_logarithm({l.a, l.b, l.c}).scaled(FT(m_size));
+    return Metric_tensor_2::from_entries(FT(m.a), FT(m.b), FT(m.c)).scaled(FT(m_size));
   }
 
   // the tensor where v is
   Metric_tensor_2 operator()(Vertex_handle v)
   {
-    const Symmetric_form l = m_space.logarithm(to_doubles(v->point()), m_triangle_of[v->index()]);
-    return Metric_tensor_2::from_logarithm({l.a, l.b, l.c}).scaled(FT(m_size));
+    return metric_tensor(to_doubles(v->point()), m_triangle_of[v->index()]);
+  }
+
+  // As long as the mesh is as it was: what was sampled in a face, whose place is its rank in `faces_in_domain()`.
+
+  Symmetric_form at_barycentre(Place face) const { return tensor_of(m_space.at_barycentre(face)); }
+
+  // the integral of (det M)^exponent
+  double density_integral(Place face, double exponent) const
+  {
+    return std::pow(m_size, -4 * exponent) * m_space.density_integral(face, exponent);
+  }
+
+  // the length of the edge of f that is opposite to its vertex i, and its error
+  Control_space::Mean length(Face_handle f, Place face, int i) const
+  {
+    const Vector_of_doubles p = to_doubles(f->vertex(Mesh::ccw(i))->point());
+    const Vector_of_doubles q = to_doubles(f->vertex(Mesh::cw(i))->point());
+    return m_space.mean_over_edge(face, i, [&](const Symmetric_form& logarithm) {
+      return tensor_of(logarithm).length(q.x - p.x, q.y - p.y);
+    });
   }
 
   // how far the logarithm in the faces at v was from that at a corner, at most
   double variation(Vertex_handle v) const { return m_variation[v->index()]; }
 
-  // whether samples agreed with the interpolation in all faces at v
+  // whether samples came near to the interpolation in all faces at v
   bool is_resolved(Vertex_handle v) const { return m_is_resolved[v->index()]; }
 
+  // whether they agreed with it there, at a place, or everywhere
+  bool is_accurate(Vertex_handle v) const { return m_is_accurate[v->index()]; }
+  bool is_accurate(Place place) const { return m_space.is_accurate(place); }
+  bool is_accurate() const { return m_space.is_accurate(); }
+
 private:
+  Symmetric_form tensor_of(const Symmetric_form& logarithm) const
+  {
+    return 1 / (m_size * m_size) * Tensor_exponential(logarithm).value();
+  }
+
   // A power of two: in sizes relative to it, meshes that are scaled by one have the same logarithms.
   static double typical_size(const Mesh& mesh)
   {
@@ -90,28 +143,24 @@ private:
   }
 
   template <class ConcurrencyTag>
-  static Control_space make_space(ConcurrencyTag tag, const Mesh& mesh, double size, std::vector<int>& triangle_of)
+  static Control_space make_space(ConcurrencyTag tag, const Mesh& mesh, const Sampling& sampling, double size,
+                                  std::vector<int>& triangle_of)
   {
     const std::vector<Face_handle> faces = mesh.faces_in_domain();
-    std::unordered_map<Face_handle, int> rank(2 * faces.size());
-    for(std::size_t i = 0; i < faces.size(); ++i)
-      rank[faces[i]] = int(i);
-    std::vector<Control_space::Triangle> triangles(faces.size());
+    std::vector<Control_space::Indices> corners(faces.size());
     Vectors points(mesh.vertex_index_bound());
     std::vector<Symmetric_form> logarithms(points.size());
     for(std::size_t i = 0; i < faces.size(); ++i)
       for(int k = 0; k < 3; ++k) {
         const Vertex_handle v = faces[i]->vertex(k);
-        const auto n = rank.find(faces[i]->neighbor(k));
-        triangles[i].corner[k] = v->index();
-        triangles[i].neighbor[k] = n == rank.end() ? -1 : n->second;
+        corners[i][k] = v->index();
         points[v->index()] = to_doubles(v->point());
         triangle_of[v->index()] = int(i);
       }
     for(Vertex_handle v : mesh.finite_vertex_handles())
       logarithms[v->index()] = logarithm_of(v->metric_tensor().scaled(FT(1 / size)));
     const auto tensor = mesh.geom_traits().construct_metric_tensor_2_object();
-    return Control_space(tag, std::move(points), std::move(triangles), logarithms,
+    return Control_space(tag, sampling, points, corners, logarithms,
                          [&](const Vector_of_doubles& x) {
                            return logarithm_of(tensor(point_at<Point>(x.x, x.y)).scaled(FT(1 / size)));
                          });
@@ -120,7 +169,7 @@ private:
   // by the index of the vertex
   std::vector<int>    m_triangle_of;
   std::vector<double> m_variation;
-  std::vector<bool>   m_is_resolved;
+  std::vector<bool>   m_is_resolved, m_is_accurate;
   const double        m_size;
   Control_space       m_space;
 };

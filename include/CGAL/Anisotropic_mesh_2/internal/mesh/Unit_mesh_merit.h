@@ -7,14 +7,14 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_UNIT_MESH_MERIT_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_MESH_UNIT_MESH_MERIT_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/Summary.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/is_own_edge.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -32,33 +32,31 @@ public:
 
   double operator()() const
   {
-    const std::vector<double> q = qualities();
-    return q.empty() ? 0 : share_of_unit_edges() + std::accumulate(q.begin(), q.end(), 0.) / double(q.size())
-                         + *std::min_element(q.begin(), q.end()) / 10;
+    const std::vector<Face_handle> faces = m_mesh.faces_in_domain();
+    const Sums s = sum_of_chunks<ConcurrencyTag, Sums>(faces.size(), [&](std::size_t k, Sums& sums) {
+      const Face_handle f = faces[k];
+      sums.qualities.add(metric_quality(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
+                                        m_metric.tensor(barycentre(triangle_of_doubles(f)), f->vertex(0))));
+      for(int i = 0; i < 3; ++i)
+        if(is_own_edge(f, i))
+          sums.edges.add(length(f->vertex(Mesh::ccw(i)), f->vertex(Mesh::cw(i))));
+    });
+    return faces.empty() ? 0 : s.edges.unit_share() + s.qualities.mean() + s.qualities.least / 10;
   }
 
 private:
-  std::vector<double> qualities() const
+  struct Sums
   {
-    const std::vector<Face_handle> faces = m_mesh.faces_in_domain();
-    std::vector<double> result(faces.size());
-    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t k) {
-      const Face_handle f = faces[k];
-      result[k] = metric_quality(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
-                                 m_metric.tensor(barycentre(triangle_of_doubles(f)), f->vertex(0)));
-    });
-    return result;
-  }
+    Summary      qualities;
+    Edge_summary edges;
 
-  double share_of_unit_edges() const
-  {
-    const std::vector<typename Mesh::Edge> edges = m_mesh.edges_in_domain();
-    return sum_over<ConcurrencyTag>(edges.size(), [&](std::size_t k) {
-      const auto& [f, i] = edges[k];
-      const double l = length(f->vertex(Mesh::ccw(i)), f->vertex(Mesh::cw(i)));
-      return l*l >= 0.5 && l*l <= 2 ? 1. : 0.;
-    }) / double(edges.size());
-  }
+    Sums& operator+=(const Sums& s)
+    {
+      qualities += s.qualities;
+      edges += s.edges;
+      return *this;
+    }
+  };
 
   double length(Vertex_handle u, Vertex_handle v) const
   {

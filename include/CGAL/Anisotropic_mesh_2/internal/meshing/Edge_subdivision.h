@@ -46,8 +46,7 @@ public:
       return m_points;
 
     m_parts.clear();
-    collect_parts(speed, 0, 0.5, three_point_gauss(speed, 0, 0.5), maximum_depth);
-    collect_parts(speed, 0.5, 1, three_point_gauss(speed, 0.5, 1), maximum_depth);
+    collect_parts(speed, 0, 1, length, maximum_depth);
     divide(p, q);
     return m_points;
   }
@@ -73,17 +72,15 @@ private:
     return std::sqrt((std::max)(0., CGAL::to_double(m.squared_length(FT(dx), FT(dy)))));
   }
 
-  // Bisects until both halves agree with the whole to a hundredth, of the part
-  // itself or of the unit length that matters, and with each other well enough
-  // for points to be placed in between.
+  // Bisects until both halves agree with the whole to some hundredths of the unit length, and with each
+  // other well enough for points to be placed in between.
   template <class Speed>
   void collect_parts(const Speed& speed, double t0, double t1, double whole, int depth)
   {
     const double middle = (t0 + t1) / 2;
     const double left = three_point_gauss(speed, t0, middle), right = three_point_gauss(speed, middle, t1);
     const double sum = left + right;
-    if(depth == 0 || (std::abs(sum - whole) <= 0.01 * (std::max)(sum, 0.1)
-                      && std::abs(left - right) <= 0.05 * (std::max)(sum, 1.))) {
+    if(depth == 0 || (std::abs(sum - whole) <= 0.03 && std::abs(left - right) <= 0.1)) {
       m_parts.push_back(Part{t0, middle, left});
       m_parts.push_back(Part{middle, t1, right});
       return;

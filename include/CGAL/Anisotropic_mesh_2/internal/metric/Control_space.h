@@ -8,9 +8,11 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_METRIC_CONTROL_SPACE_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Metric_sample.h>
+#include <CGAL/Anisotropic_mesh_2/internal/metric/Sampling.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Tensor_exponential.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_walk.h>
 #include <CGAL/Anisotropic_mesh_2/internal/base/parallel.h>
 
 #include <algorithm>
@@ -31,145 +33,158 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 class Control_space
 {
 public:
-  struct Triangle
+  typedef Triangle_walk::Indices Indices;
+
+  // The mean of a function, and how far the rule of trapezoids is from it.
+  struct Mean
   {
-    std::array<int, 3> corner, neighbor; // the neighbor opposite to a corner, or -1
+    double value, error;
   };
 
   // `logarithms` belong to the points; `logarithm_at(x)` evaluates the field.
   template <class ConcurrencyTag, class Logarithm_at>
-  Control_space(ConcurrencyTag, Vectors points, std::vector<Triangle> triangles,
+  Control_space(ConcurrencyTag, const Sampling& sampling, const Vectors& points, const std::vector<Indices>& corners,
                 const std::vector<Symmetric_form>& logarithms, const Logarithm_at& logarithm_at)
-    : m_points(std::move(points)), m_triangles(std::move(triangles)), m_patches(m_triangles.size()),
-      m_variation(m_triangles.size()), m_is_resolved(m_triangles.size(), true)
+    : m_walk(points, corners), m_areas(corners.size()), m_patches(corners.size()), m_variation(corners.size()),
+      m_is_resolved(corners.size(), true), m_is_accurate(corners.size(), true)
   {
-    sample_edges<ConcurrencyTag>(logarithms, logarithm_at);
-    std::vector<Piece> pieces;
-    for(std::size_t i = 0; i < m_triangles.size(); ++i)
-      pieces.push_back({int(i), int(i), corners(m_triangles[i]), 0});
-    for(int depth = 0; !pieces.empty(); ++depth)
-      pieces = refined<ConcurrencyTag>(std::move(pieces), depth, logarithm_at);
+    const auto triangle = [&](std::size_t i) -> Triangle_of_doubles {
+      return {{points[corners[i][0]], points[corners[i][1]], points[corners[i][2]]}};
+    };
+    const std::size_t n = corners.size();
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
+      for(int k = 0; k < 3; ++k)
+        m_patches[i].corner[k] = logarithms[corners[i][k]];
+      sample_own_edges(int(i), triangle(i), logarithm_at);
+    });
+    std::vector<double> errors(n);
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
+      copy_other_edges(int(i));
+      m_areas[i] = area(triangle(i));
+      m_patches[i].centre = logarithm_at(barycentre(triangle(i)));
+      errors[i] = error(m_patches[i]);
+      m_variation[i] = variation(m_patches[i]) + errors[i];
+    });
+    std::vector<Piece> bad;
+    for(std::size_t i = 0; i < n; ++i)
+      if(errors[i] > sampling.tolerance)
+        bad.push_back({int(i), int(i), errors[i], triangle(i)});
+      else
+        m_settled_error += errors[i];
+    for(int depth = 0; !bad.empty(); ++depth)
+      bad = quarters<ConcurrencyTag>(std::move(bad), depth, sampling, logarithm_at);
   }
 
   // The tensor at x. The search begins in `triangle`, which becomes the one that holds
   // x, or the last one before the border if x lies outside.
   Metric_sample operator()(const Vector_of_doubles& x, int& triangle) const
   {
-    const Interpolation i = interpolation(x, triangle);
-    const Tensor_exponential e(i.logarithm);
-    const Triangle_of_doubles z = corners(m_triangles[triangle]);
-    const double unit = i.factor / (2 * area(z));
-    Symmetric_form by_x, by_y;
-    for(int k = 0; k < 3; ++k) {
-      const Vector_of_doubles &p = z[(k + 1) % 3], &q = z[(k + 2) % 3];
-      by_x += (unit * (p.y - q.y)) * i.by_coordinate[k];
-      by_y += (unit * (q.x - p.x)) * i.by_coordinate[k];
-    }
-    return {e.value(), e.derivative(by_x), e.derivative(by_y), e.root_of_determinant()};
+    double factor = 1;
+    Barycentric l;
+    const Patch& p = patch_at(x, triangle, l, factor);
+    const Forms by_coordinate = p.is_linear ? linear(p, l, factor) : quadratic_derivatives(p, l);
+    const Triangle_walk::Frame& frame = m_walk.frame(triangle);
+    const auto derivative = [&](double of_second, double of_third) {
+      return (factor * of_second) * (by_coordinate[1] + (-1.) * by_coordinate[0])
+           + (factor * of_third) * (by_coordinate[2] + (-1.) * by_coordinate[0]);
+    };
+    const Tensor_exponential e(p.is_linear ? combination(by_coordinate, l) : quadratic(p, l));
+    return {e.value(), e.derivative(derivative(frame.second.x, frame.third.x)),
+            e.derivative(derivative(frame.second.y, frame.third.y)), e.root_of_determinant()};
   }
 
   // the same for its logarithm alone
   Symmetric_form logarithm(const Vector_of_doubles& x, int& triangle) const
   {
-    return interpolation(x, triangle).logarithm;
+    double factor = 1;
+    Barycentric l;
+    const Patch& p = patch_at(x, triangle, l, factor);
+    return p.is_linear ? combination(linear(p, l, factor), l) : quadratic(p, l);
+  }
+
+  // the logarithm as it was sampled at the barycentre of a triangle
+  const Symmetric_form& at_barycentre(int triangle) const { return m_patches[triangle].centre; }
+
+  // The mean of a function of logarithms over an edge of a triangle, by Simpson's rule for the samples on each part.
+  template <class Function>
+  Mean mean_over_edge(int triangle, int edge, const Function& function) const
+  {
+    return mean_over_edge(m_patches[triangle], edge, function);
+  }
+
+  // The integral of (det M)^exponent over a triangle, by a rule of degree three for the samples in each part of it.
+  double density_integral(int triangle, double exponent) const
+  {
+    return m_areas[triangle] * mean_density(m_patches[triangle], exponent);
   }
 
   // how far the logarithm is from that at a corner, at most
   double variation(int triangle) const { return m_variation[triangle]; }
 
-  // whether the interpolation comes near to all samples
+  // whether the interpolation comes near to all samples of a triangle
   bool is_resolved(int triangle) const { return m_is_resolved[triangle]; }
+
+  // whether a triangle was quartered as often as it should be, or all were
+  bool is_accurate(int triangle) const { return m_is_accurate[triangle]; }
+  bool is_accurate() const { return m_is_accurate_everywhere; }
 
 private:
   typedef std::array<Symmetric_form, 3> Forms;
 
-  // the logarithms at the corners and at the middles of the edges opposite to them
+  // the logarithms at the corners, at the middles of the edges opposite to them, and at the barycentre
   struct Patch
   {
-    Forms corner, middle;
-    int   first_child = -1;
-    bool  is_linear = false;
+    Forms          corner, middle;
+    Symmetric_form centre;
+    int            first_child = -1;
+    bool           is_linear = false;
   };
 
   struct Piece // a patch that may be quartered, and where it lies
   {
-    int     triangle, patch;
+    int    triangle, patch;
+    double error;
     Triangle_of_doubles corner;
-    double  error;
   };
 
   static constexpr int    maximum_depth = 4;
-  static constexpr double tolerance = 0.05; // of logarithms: five percent of the entries
+  static constexpr double error_of_linear = 0.05; // from which on the interpolation is linear
   static constexpr double error_at_jumps = 1;
-  static constexpr std::size_t quarterings_of_triangle = 2; // on an average
-  // of searches
-  static constexpr int         maximum_steps = 1000;
-  static constexpr std::size_t maximum_search = 100;
-  static constexpr double      rounding = 1e-9;
 
-  Triangle_of_doubles corners(const Triangle& t) const
-  {
-    return {{m_points[t.corner[0]], m_points[t.corner[1]], m_points[t.corner[2]]}};
-  }
-
-  static int place_of(int corner_or_neighbor, const std::array<int, 3>& all)
-  {
-    return int(std::find(all.begin(), all.end(), corner_or_neighbor) - all.begin());
-  }
+  // ------------------------------------------------------------ sampling
 
   // The middle of an edge is sampled by the triangle of the lower number.
-  template <class ConcurrencyTag, class Logarithm_at>
-  void sample_edges(const std::vector<Symmetric_form>& logarithms, const Logarithm_at& logarithm_at)
+  bool is_own_edge(int triangle, int k) const
   {
-    for_each_index<ConcurrencyTag>(m_triangles.size(), [&](std::size_t i) {
-      const Triangle& t = m_triangles[i];
-      const Triangle_of_doubles m = middles(corners(t));
-      for(int k = 0; k < 3; ++k) {
-        m_patches[i].corner[k] = logarithms[t.corner[k]];
-        if(t.neighbor[k] < 0 || int(i) < t.neighbor[k])
-          m_patches[i].middle[k] = logarithm_at(m[k]);
+    const int n = m_walk.neighbor(triangle, k);
+    return n < 0 || triangle < n;
+  }
+
+  template <class Logarithm_at>
+  void sample_own_edges(int triangle, const Triangle_of_doubles& z, const Logarithm_at& logarithm_at)
+  {
+    const Triangle_of_doubles m = middles(z);
+    for(int k = 0; k < 3; ++k)
+      if(is_own_edge(triangle, k))
+        m_patches[triangle].middle[k] = logarithm_at(m[k]);
+  }
+
+  void copy_other_edges(int triangle)
+  {
+    for(int k = 0; k < 3; ++k)
+      if(!is_own_edge(triangle, k)) {
+        const int n = m_walk.neighbor(triangle, k);
+        int i = 0;
+        while(m_walk.neighbor(n, i) != triangle)
+          ++i;
+        m_patches[triangle].middle[k] = m_patches[n].middle[i];
       }
-    });
-    for_each_index<ConcurrencyTag>(m_triangles.size(), [&](std::size_t i) {
-      for(int k = 0; k < 3; ++k)
-        if(const int n = m_triangles[i].neighbor[k]; n >= 0 && n < int(i))
-          m_patches[i].middle[k] = m_patches[n].middle[place_of(int(i), m_triangles[n].neighbor)];
-    });
   }
 
-  // Quarters those pieces where the interpolation errs most, and returns the quarters.
-  template <class ConcurrencyTag, class Logarithm_at>
-  std::vector<Piece> refined(std::vector<Piece> pieces, int depth, const Logarithm_at& logarithm_at)
+  // of the interpolation at the barycentre
+  static double error(const Patch& p)
   {
-    for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {
-      pieces[i].error = error(m_patches[pieces[i].patch], logarithm_at(barycentre(pieces[i].corner)));
-      if(depth == 0)
-        m_variation[i] = variation(m_patches[i]) + pieces[i].error;
-    });
-    pieces.erase(std::remove_if(pieces.begin(), pieces.end(), [](const Piece& p) { return !(p.error > tolerance); }),
-                 pieces.end());
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
-      return p.error != q.error ? p.error > q.error : p.patch < q.patch;
-    });
-    const std::size_t left = (1 + 4 * quarterings_of_triangle) * m_triangles.size() - m_patches.size();
-    const std::size_t n = depth < maximum_depth ? (std::min)(pieces.size(), left / 4) : 0;
-    for(std::size_t i = n; i < pieces.size(); ++i) {
-      m_patches[pieces[i].patch].is_linear = true;
-      if(pieces[i].error > error_at_jumps)
-        m_is_resolved[pieces[i].triangle] = false;
-    }
-    const std::size_t first = m_patches.size();
-    m_patches.resize(first + 4*n);
-    std::vector<Piece> quarters(4*n);
-    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
-      quarter_piece(pieces[i], int(first + 4*i), quarters.data() + 4*i, logarithm_at);
-    });
-    return quarters;
-  }
-
-  static double error(const Patch& p, const Symmetric_form& sample)
-  {
-    Symmetric_form d = sample;
+    Symmetric_form d = p.centre;
     for(int k = 0; k < 3; ++k)
       d += (1./9) * p.corner[k] + (-4./9) * p.middle[k];
     return d.norm();
@@ -185,14 +200,60 @@ private:
     return largest;
   }
 
+  // Quarters the worst pieces, and returns those quarters that are bad.
+  template <class ConcurrencyTag, class Logarithm_at>
+  std::vector<Piece> quarters(std::vector<Piece> pieces, int depth, const Sampling& sampling,
+                              const Logarithm_at& logarithm_at)
+  {
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) {
+      return p.error != q.error ? p.error > q.error : p.patch < q.patch;
+    });
+    const std::size_t wanted = number_to_quarter(pieces, depth, sampling);
+    const double left = (1 + 4 * sampling.quarterings) * double(m_areas.size()) - double(m_patches.size());
+    const std::size_t n = depth < maximum_depth ? (std::min)(wanted, std::size_t((std::max)(0., left / 4))) : 0;
+    m_is_accurate_everywhere = m_is_accurate_everywhere && n == wanted;
+    for(std::size_t i = n; i < pieces.size(); ++i) {
+      settle(pieces[i], depth);
+      m_is_accurate[pieces[i].triangle] = m_is_accurate[pieces[i].triangle] && i >= wanted;
+    }
+    const std::size_t first = m_patches.size();
+    m_patches.resize(first + 4*n);
+    std::vector<Piece> quarters(4*n), bad;
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
+      quarter_piece(pieces[i], int(first + 4*i), quarters.data() + 4*i, logarithm_at);
+    });
+    for(const Piece& q : quarters)
+      if(q.error > sampling.tolerance)
+        bad.push_back(q);
+      else
+        m_settled_error += std::ldexp(q.error, -2 * (depth + 1));
+    return bad;
+  }
+
+  // Of sorted pieces, the first ones: without quartering the others the mean error is small enough.
+  std::size_t number_to_quarter(const std::vector<Piece>& pieces, int depth, const Sampling& sampling) const
+  {
+    double permitted = sampling.mean_error * double(m_areas.size()) - m_settled_error;
+    std::size_t n = pieces.size();
+    while(n > 0 && (permitted -= std::ldexp(pieces[n - 1].error, -2*depth)) >= 0)
+      --n;
+    return n;
+  }
+
+  void settle(const Piece& p, int depth)
+  {
+    m_settled_error += std::ldexp(p.error, -2*depth);
+    m_patches[p.patch].is_linear = p.error > error_of_linear;
+    if(p.error > error_at_jumps)
+      m_is_resolved[p.triangle] = false;
+  }
+
   template <class Logarithm_at>
   void quarter_piece(const Piece& piece, int first_child, Piece* quarters, const Logarithm_at& logarithm_at)
   {
     Patch& p = m_patches[piece.patch];
     p.first_child = first_child;
     const std::array<Triangle_of_doubles, 4> parts = internal::quarters(piece.corner);
-    for(int i = 0; i < 4; ++i)
-      quarters[i] = {piece.triangle, first_child + i, parts[i], 0};
     Patch& inner = m_patches[first_child + 3];
     inner.corner = p.middle;
     for(int i = 0; i < 3; ++i) {
@@ -206,74 +267,27 @@ private:
       q.middle[j] = logarithm_at(m[j]);
       q.middle[k] = logarithm_at(m[k]);
     }
+    inner.centre = p.centre;
+    for(int i = 0; i < 3; ++i)
+      m_patches[first_child + i].centre = logarithm_at(barycentre(parts[i]));
+    for(int i = 0; i < 4; ++i)
+      quarters[i] = {piece.triangle, first_child + i, error(m_patches[first_child + i]), parts[i]};
   }
 
-  Barycentric locate(const Vector_of_doubles& x, int& triangle) const
+  // ------------------------------------------------------------ interpolation
+
+  // The finest patch that holds x; `l` becomes the coordinates in it, whose derivatives are `factor` times those of the
+  // coordinates in the triangle.
+  const Patch& patch_at(const Vector_of_doubles& x, int& triangle, Barycentric& l, double& factor) const
   {
-    const int start = triangle;
-    Barycentric l = walk(x, triangle);
-    if(least(l) < -rounding) { // a hole or a notch is in the way
-      triangle = search_around(x, start);
-      l = coordinates(x, triangle);
+    l = m_walk.locate(x, triangle);
+    const Patch* p = &m_patches[triangle];
+    while(p->first_child >= 0) {
+      const int q = quarter(l);
+      p = &m_patches[p->first_child + q];
+      factor *= descend(q, l);
     }
-    return least(l) >= 0 ? l : drawn_inside(l);
-  }
-
-  // Walks towards x, at each step over the edge that is farthest behind.
-  Barycentric walk(const Vector_of_doubles& x, int& triangle) const
-  {
-    Barycentric l = coordinates(x, triangle);
-    for(int steps = 0; steps < maximum_steps; ++steps) {
-      int next = -1;
-      double farthest = 0;
-      for(int k = 0; k < 3; ++k)
-        if(l[k] < farthest && m_triangles[triangle].neighbor[k] >= 0) {
-          farthest = l[k];
-          next = m_triangles[triangle].neighbor[k];
-        }
-      if(next < 0)
-        break;
-      triangle = next;
-      l = coordinates(x, triangle);
-    }
-    return l;
-  }
-
-  // the triangle that holds x or comes closest to it, among some near the start
-  int search_around(const Vector_of_doubles& x, int start) const
-  {
-    std::vector<int> queue(1, start);
-    int best = start;
-    double largest = least(coordinates(x, start));
-    for(std::size_t i = 0; i < queue.size() && queue.size() < maximum_search && largest < -rounding; ++i)
-      for(int n : m_triangles[queue[i]].neighbor)
-        if(n >= 0 && std::find(queue.begin(), queue.end(), n) == queue.end()) {
-          queue.push_back(n);
-          if(const double l = least(coordinates(x, n)); l > largest) {
-            largest = l;
-            best = n;
-          }
-        }
-    return best;
-  }
-
-  static double least(const Barycentric& l) { return (std::min)({l[0], l[1], l[2]}); }
-
-  static Barycentric drawn_inside(Barycentric l)
-  {
-    double sum = 0;
-    for(double& t : l)
-      sum += t = (std::max)(0., t);
-    for(double& t : l)
-      t /= sum;
-    return l;
-  }
-
-  Barycentric coordinates(const Vector_of_doubles& x, int triangle) const
-  {
-    const Triangle_of_doubles z = corners(m_triangles[triangle]);
-    const double whole = area(z), l1 = area({z[0], x, z[2]}) / whole, l2 = area({z[0], z[1], x}) / whole;
-    return {{1 - l1 - l2, l1, l2}};
+    return *p;
   }
 
   // The fourth quarter is the inner one, whose corner i is the middle opposite to corner i.
@@ -293,41 +307,30 @@ private:
     return quarter == 3 ? -2 : 2;
   }
 
-  // the derivatives are those by barycentric coordinates in a patch, which are `factor` times those in a triangle
-  struct Interpolation
+  static Symmetric_form combination(const Forms& f, const Barycentric& l)
   {
-    Symmetric_form logarithm;
-    Forms          by_coordinate;
-    double         factor;
-  };
-
-  Interpolation interpolation(const Vector_of_doubles& x, int& triangle) const
-  {
-    Barycentric l = locate(x, triangle);
-    double factor = 1;
-    int i = triangle;
-    while(m_patches[i].first_child >= 0) {
-      const int q = quarter(l);
-      i = m_patches[i].first_child + q;
-      factor *= descend(q, l);
-    }
-    return m_patches[i].is_linear ? linear(m_patches[i], l, factor) : quadratic(m_patches[i], l, factor);
+    return l[0] * f[0] + l[1] * f[1] + l[2] * f[2];
   }
 
-  static Interpolation quadratic(const Patch& p, const Barycentric& l, double factor)
+  static Symmetric_form quadratic(const Patch& p, const Barycentric& l)
   {
-    Interpolation result;
-    result.factor = factor;
+    return combination(p.corner, {{l[0] * (2*l[0] - 1), l[1] * (2*l[1] - 1), l[2] * (2*l[2] - 1)}})
+         + combination(p.middle, {{4*l[1]*l[2], 4*l[2]*l[0], 4*l[0]*l[1]}});
+  }
+
+  // by the barycentric coordinates
+  static Forms quadratic_derivatives(const Patch& p, const Barycentric& l)
+  {
+    Forms result;
     for(int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      Symmetric_form& d = result.by_coordinate[i];
-      d = (4*l[i] - 1) * p.corner[i] + 4*l[k] * p.middle[j] + 4*l[j] * p.middle[k];
-      result.logarithm += (l[i] / 2) * (d + (-1.) * p.corner[i]);
+      result[i] = (4*l[i] - 1) * p.corner[i] + 4*l[k] * p.middle[j] + 4*l[j] * p.middle[k];
     }
     return result;
   }
 
-  static Interpolation linear(const Patch& p, Barycentric l, double factor)
+  // the values at the corners of the quarter that holds `l`, which becomes the coordinates in that
+  static Forms linear(const Patch& p, Barycentric& l, double& factor)
   {
     const int q = quarter(l);
     Forms corner = p.middle;
@@ -336,14 +339,46 @@ private:
       std::swap(corner[(q + 1) % 3], corner[(q + 2) % 3]);
     }
     factor *= descend(q, l);
-    return {l[0] * corner[0] + l[1] * corner[1] + l[2] * corner[2], corner, factor};
+    return corner;
   }
 
-  Vectors               m_points;
-  std::vector<Triangle> m_triangles;
-  std::vector<Patch>    m_patches; // first those of the triangles
-  std::vector<double>   m_variation;
-  std::vector<bool>     m_is_resolved;
+  // ------------------------------------------------------------ integration
+
+  double mean_density(const Patch& p, double exponent) const
+  {
+    double sum = 0;
+    if(p.first_child >= 0) {
+      for(int i = 0; i < 4; ++i)
+        sum += mean_density(m_patches[p.first_child + i], exponent) / 4;
+      return sum;
+    }
+    const auto density = [exponent](const Symmetric_form& l) { return std::exp(exponent * (l.a + l.c)); };
+    for(int k = 0; k < 3; ++k)
+      sum += density(p.corner[k]) / 20 + 2 * density(p.middle[k]) / 15;
+    return sum + 9 * density(p.centre) / 20;
+  }
+
+  template <class Function>
+  Mean mean_over_edge(const Patch& p, int edge, const Function& function) const
+  {
+    const int i = (edge + 1) % 3, j = (edge + 2) % 3;
+    if(p.first_child < 0) {
+      const double begin = function(p.corner[i]), middle = function(p.middle[edge]), end = function(p.corner[j]);
+      return {(begin + 4*middle + end) / 6, std::abs(begin - 2*middle + end) / 3};
+    }
+    const Mean first = mean_over_edge(m_patches[p.first_child + i], edge, function);
+    const Mean second = mean_over_edge(m_patches[p.first_child + j], edge, function);
+    return {(first.value + second.value) / 2, (first.error + second.error) / 2};
+  }
+
+  // by triangle, but for the quarters, which follow those of the triangles
+  Triangle_walk       m_walk;
+  std::vector<double> m_areas;
+  std::vector<Patch>  m_patches;
+  std::vector<double> m_variation;
+  std::vector<bool>   m_is_resolved, m_is_accurate;
+  bool                m_is_accurate_everywhere = true;
+  double              m_settled_error = 0; // of pieces that are not quartered, in triangles
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

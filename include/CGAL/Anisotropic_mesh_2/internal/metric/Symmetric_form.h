@@ -67,6 +67,21 @@ inline double length_by_simpson(const Symmetric_form& at_begin, const Symmetric_
   return (at_begin.length(x, y) + 4 * in_middle.length(x, y) + at_end.length(x, y)) / 6;
 }
 
+// The same in some panels: p is where the vector begins, and `tensor_at(x)` the tensor in between.
+template <class Tensor_at>
+double length_by_simpson(Symmetric_form at_begin, const Symmetric_form& at_end, const Vector_of_doubles& p,
+                         const Vector_of_doubles& vector, int panels, const Tensor_at& tensor_at)
+{
+  const auto at = [&](double t) { return tensor_at({p.x + t / panels * vector.x, p.y + t / panels * vector.y}); };
+  double sum = 0;
+  for(int k = 0; k < panels; ++k) {
+    const Symmetric_form end = k + 1 < panels ? at(k + 1) : at_end;
+    sum += length_by_simpson(at_begin, at(k + 0.5), end, vector.x / panels, vector.y / panels);
+    at_begin = end;
+  }
+  return sum;
+}
+
 // The geometric mean of two positive definite forms: sizes in it are the
 // geometric means of sizes where both have the same axes.
 inline Symmetric_form geometric_mean(const Symmetric_form& m, const Symmetric_form& n)

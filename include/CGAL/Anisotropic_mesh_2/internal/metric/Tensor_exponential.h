@@ -25,7 +25,10 @@ public:
     m_scale = std::exp((l.a + l.c) / 2);
     m_odd = m_scale * odd;
     m_bent = m_scale * (s > 0.03 ? (even - odd) / (s*s) : 1./3 + s*s/30);
-    m_value = Symmetric_form(m_scale * even + m_odd * m_p, m_odd * m_q, m_scale * even - m_odd * m_p);
+    // cosh s = e^-s + sinh s, and of s + p and s - p the smaller one without cancellation
+    const double larger = s + std::abs(m_p), smaller = s > 0 ? m_q*m_q / larger : 0;
+    const double plus = m_p > 0 ? larger : smaller, minus = m_p > 0 ? smaller : larger;
+    m_value = Symmetric_form(m_scale / e + m_odd * plus, m_odd * m_q, m_scale / e + m_odd * minus);
   }
 
   const Symmetric_form& value() const { return m_value; }

@@ -30,7 +30,7 @@ struct Stopping_criteria
 {
   std::size_t number_of_iterations = 100;
   double convergence = 1e-3;   // on the largest metric length of a Lloyd move
-  double energy_reduction = 0; // relative, by ten iterations; 0 for any
+  double energy_reduction = 0; // relative, by five iterations; 0 for any
   double time_limit = 0;       // in seconds; 0 for none
 };
 
@@ -90,7 +90,7 @@ private:
   // Longest step, in the metric: beyond, the model of the energy is void.
   static constexpr double longest_step = 0.5;
   static constexpr int    maximum_trials = 3;
-  static constexpr std::size_t patience = 10;
+  static constexpr std::size_t patience = 5;
   // A step may raise the energy as long as it stays below the highest one of some
   // steps before: that saves many evaluations, and the flips after it do not stop the method.
   static constexpr std::size_t memory_of_energies = 8;

@@ -12,22 +12,25 @@
 namespace CGAL::Anisotropic_mesh_2::internal {
 
 // A visitor that looks at the merit of the mesh in some of the iterations before
-// it passes the state on, and has the best mesh kept.
-template <class Merit, class Mover, class Visitor>
+// it passes the state on, and has the best mesh kept. A judge, who is told the merit and may look closer, decides
+// whether what remains is better than the mesh of the beginning.
+template <class Merit, class Judge, class Mover, class Visitor>
 class Best_mesh_keeper
 {
 public:
-  Best_mesh_keeper(const Merit& merit, Mover& mover, Visitor& visitor)
-    : m_merit(merit), m_mover(mover), m_visitor(visitor)
+  Best_mesh_keeper(const Merit& merit, const Judge& judge, Mover& mover, Visitor& visitor)
+    : m_merit(merit), m_judge(judge), m_mover(mover), m_visitor(visitor)
   {}
 
   bool iteration(const Optimization_state& s)
   {
-    if(s.evaluations == 1)
-      m_given = m_best = {m_merit(s), s};
+    if(s.evaluations == 1) {
+      const double merit = m_merit(s);
+      m_given = m_best = {merit, m_judge(merit), s};
+    }
     else if(s.iteration % iterations_between == 0)
       if(const double merit = m_merit(s); merit > m_best.merit) {
-        m_best = {merit, s};
+        m_best = {merit, 0, s};
         m_mover.keep();
       }
     return m_visitor.iteration(s);
@@ -37,13 +40,12 @@ public:
   // clearly worse than the best one. Returns the state of the mesh that remains.
   Optimization_state choose(const Optimization_state& last)
   {
-    const double merit = m_merit(last);
-    if(merit >= m_given.merit && merit >= m_best.merit - slack)
+    if(const double merit = m_merit(last); merit >= m_best.merit - slack && m_judge(merit) >= m_given.judged)
       return last;
     if(m_best.merit > m_given.merit) {
       m_mover.restore_kept();
       m_mover.finish();
-      if(m_merit(m_best.state) >= m_given.merit) // also in the field itself, and after flips
+      if(m_judge(m_merit(m_best.state)) >= m_given.judged)
         return m_best.state;
     }
     m_mover.restore_given();
@@ -60,11 +62,12 @@ private:
 
   struct Judged
   {
-    double             merit = 0;
+    double             merit = 0, judged = 0;
     Optimization_state state;
   };
 
   const Merit& m_merit;
+  const Judge& m_judge;
   Mover&       m_mover;
   Visitor&     m_visitor;
   Judged       m_given, m_best;

@@ -8,7 +8,6 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_EDGE_SWAPPER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
-#include <CGAL/Anisotropic_mesh_2/internal/metric/have_multiples_of.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Unit_band.h>
 
@@ -16,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
@@ -35,8 +35,6 @@ class Edge_swapper
   typedef std::array<Vertex_handle, 4>     Quadrilateral;
 
 public:
-  explicit Edge_swapper(const Gt& gt) : m_gt(gt), m_band(gt) {}
-
   // Returns whether there was a flip.
   bool operator()(Patch& patch) const
   {
@@ -59,12 +57,16 @@ public:
       return false;
     const Quadrilateral v = patch.quadrilateral(e);
     if(has_multiples(v))
-      return is_in_conflict(v);
+      return is_in_conflict(patch.geom_traits(), v);
     const Face_shape &s = e.first->info(), &t = e.first->neighbor(e.second)->info();
     const double least = (std::min)(s.quality, t.quality) + least_rise;
-    return looks_better(v, 0.5 * (s.metric + t.metric), least)
-        && (std::min)(patch.shape(v[0], v[1], v[2]).quality, patch.shape(v[2], v[3], v[0]).quality) > least
-        && (m_band.permits(*v[0], *v[2]) || !m_band.permits(*v[1], *v[3]));
+    const Symmetric_form between = 0.5 * (s.metric + t.metric);
+    if(!looks_better(v, between, least))
+      return false;
+    const Face_shape right = patch.shape(v[0], v[1], v[2]), left = patch.shape(v[2], v[3], v[0]);
+    return (std::min)(right.quality, left.quality) > least
+        && (Unit_band<Patch>::permits(*v[0], *v[2], 0.5 * (right.metric + left.metric))
+            || !Unit_band<Patch>::permits(*v[1], *v[3], between));
   }
 
   // whether the criterion asks for no flip of an edge on the border, where the mesh is not changed
@@ -73,7 +75,8 @@ public:
     bool keeps = true;
     patch.for_each_open_border_edge([&](const Edge& e) {
       const Quadrilateral v = patch.quadrilateral(e);
-      keeps = keeps && !(has_multiples(v) && is_in_conflict(v) && patch.is_in_convex_quadrilateral(e));
+      keeps = keeps && !(has_multiples(v) && is_in_conflict(patch.geom_traits(), v)
+                         && patch.is_in_convex_quadrilateral(e));
     });
     return keeps;
   }
@@ -92,18 +95,28 @@ private:
                       metric_quality(v[2]->point(), v[3]->point(), v[0]->point(), m)) > doubt * least;
   }
 
-  static bool has_multiples(const Quadrilateral& v) { return have_multiples_of(v, v[0]->metric_tensor()); }
+  // up to rounding, since tensors are interpolated
+  static bool has_multiples(const Quadrilateral& v)
+  {
+    const Symmetric_form m = unimodular(v[0]->metric_tensor());
+    return std::all_of(v.begin() + 1, v.end(), [&](Vertex_handle w) {
+      return (unimodular(w->metric_tensor()) + (-1.) * m).norm() <= 1e-9 * m.norm();
+    });
+  }
+
+  static Symmetric_form unimodular(const typename Patch::Metric_tensor_2& m)
+  {
+    const Symmetric_form form(m);
+    return (1 / std::sqrt(form.determinant())) * form;
+  }
 
   // whether the last but one vertex is in conflict with the face of the others
-  bool is_in_conflict(const Quadrilateral& v) const
+  static bool is_in_conflict(const Gt& gt, const Quadrilateral& v)
   {
-    return m_gt.side_of_metric_circle_2_object()
+    return gt.side_of_metric_circle_2_object()
              (v[0]->point(), v[1]->point(), v[3]->point(), v[2]->point(), v[0]->metric_tensor(),
               v[1]->metric_tensor(), v[3]->metric_tensor(), v[2]->metric_tensor()) == ON_POSITIVE_SIDE;
   }
-
-  const Gt&           m_gt;
-  const Unit_band<Gt> m_band;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -8,7 +8,10 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_MESH_PATCH_H
 
 #include <CGAL/Anisotropic_mesh_vertex_base_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/kernel/Vertex_remover_2.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_memo.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Sampled_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 
@@ -56,6 +59,7 @@ public:
   typedef typename Mesh::Geom_traits                          Geom_traits;
   typedef typename Mesh::Point                                Point;
   typedef typename Mesh::Metric_tensor_2                      Metric_tensor_2;
+  typedef Sampled_metric<Mesh>                                Metric;
   // the index of a vertex is its number in the patch, its info whether it may move and be removed
   typedef Triangulation_data_structure_2<
     Triangulation_vertex_base_with_info_2<bool, Geom_traits, Anisotropic_mesh_vertex_base_2<Geom_traits> >,
@@ -67,8 +71,8 @@ public:
   typedef boost::container::small_vector<Face_shape, 12>      Face_shapes;
 
   // The given faces of the mesh, which edges that are not constrained connect.
-  Mesh_patch(const Mesh& mesh, const std::vector<typename Mesh::Face_handle>& faces)
-    : m_mesh(&mesh)
+  Mesh_patch(const Mesh& mesh, Metric& metric, const std::vector<typename Mesh::Face_handle>& faces)
+    : m_mesh(&mesh), m_metric(&metric)
   {
     m_tds.set_dimension(2);
     std::vector<Vertex_handle> vertices;
@@ -163,21 +167,58 @@ public:
         && m_mesh->orientation(v[2]->point(), v[3]->point(), v[0]->point()) == LEFT_TURN;
   }
 
-  Metric_tensor_2 tensor(const Point& p) const { return geom_traits().construct_metric_tensor_2_object()(p); }
+  // The tensor at x, which lies near a vertex: by the samples, unless the field is used.
+  Symmetric_form tensor(const Vector_of_doubles& x, const Vertex& near) const
+  {
+    if(m_field)
+      return (*m_field)(x);
+    Place place = m_places[near.index()];
+    const Symmetric_form m = m_metric->tensor(x, place);
+    m_is_accurate = m_is_accurate && m_metric->is_accurate(place);
+    return m;
+  }
 
-  Face_shape shape(const Point& a, const Point& b, const Point& c) const
+  Metric_tensor_2 metric_tensor(const Point& p, const Vertex& near) const
+  {
+    Place place = m_places[near.index()];
+    return m_metric->metric_tensor(to_doubles(p), place);
+  }
+
+  bool uses_field() const { return m_field != nullptr; }
+
+  // whether samples agreed with their interpolation wherever there was an evaluation
+  bool is_accurate() const { return m_is_accurate; }
+
+  // Takes the tensors of all free vertices from the field.
+  void take_tensors_from_field()
+  {
+    const auto tensor = geom_traits().construct_metric_tensor_2_object();
+    for(auto v = m_tds.vertices_begin(); v != m_tds.vertices_end(); ++v)
+      if(is_free(v))
+        v->set_metric_tensor(tensor(v->point()));
+  }
+
+  // Takes tensors from the field, from now on, but for those of the vertices, which are as they are.
+  void use_field(Field_memo<Mesh>& field)
+  {
+    m_field = &field;
+    for_each_face([this](Face_handle f) { update_shape(f); });
+  }
+
+  // of a face of these points, which lie near a vertex
+  Face_shape shape(const Point& a, const Point& b, const Point& c, const Vertex& near) const
   {
     Face_shape result;
     if(m_mesh->orientation(a, b, c) != LEFT_TURN)
       return result; // its barycentre may be where the field has no value
-    result.metric = metric_at_barycentre(a, b, c, geom_traits().construct_metric_tensor_2_object());
+    result.metric = tensor(barycentre({to_doubles(a), to_doubles(b), to_doubles(c)}), near);
     result.quality = metric_quality(a, b, c, result.metric);
     return result;
   }
 
   Face_shape shape(Vertex_handle u, Vertex_handle v, Vertex_handle w) const
   {
-    return shape(u->point(), v->point(), w->point());
+    return shape(u->point(), v->point(), w->point(), *u);
   }
 
   // those that the faces of a free vertex have if it stands at `p`
@@ -185,7 +226,7 @@ public:
   {
     Face_shapes result;
     for_each_face_at(v, [&](Face_handle f, int i) {
-      result.push_back(shape(p, f->vertex(Tds::ccw(i))->point(), f->vertex(Tds::cw(i))->point()));
+      result.push_back(shape(p, f->vertex(Tds::ccw(i))->point(), f->vertex(Tds::cw(i))->point(), *v));
     });
     return result;
   }
@@ -195,6 +236,7 @@ public:
   {
     v->set_point(p);
     v->set_metric_tensor(m);
+    m_metric->metric_tensor(to_doubles(p), m_places[v->index()]);
     auto shape = shapes.begin();
     for_each_face_at(v, [&](Face_handle f, int) { f->info() = *shape++; });
     m_operations.push_back({MOVE, {{v->index()}}, p, m});
@@ -214,11 +256,12 @@ public:
   // Divides a face into three at `p`, which may lie on an edge of it that is flipped next.
   Vertex_handle split(Face_handle f, const Point& p)
   {
-    const Metric_tensor_2 m = tensor(p);
+    const Metric_tensor_2 m = metric_tensor(p, *f->vertex(0));
     const int a = f->vertex(0)->index(), b = f->vertex(1)->index(), c = f->vertex(2)->index();
     const Vertex_handle v = m_tds.insert_in_face(f);
     initialize(v, p, m, true);
     m_mesh_vertices.push_back({});
+    m_places.push_back(m_places[a]);
     m_operations.push_back({SPLIT, {{a, b, c, v->index()}}, p, m});
     for_each_face_at(v, [&](Face_handle g, int) { update_shape(g); });
     return v;
@@ -233,7 +276,8 @@ public:
     update_shape(f);
   }
 
-  // Does on the mesh what has been done on the patch. Afterwards `mesh_vertices()` has the new ones too.
+  // Does on the mesh what has been done on the patch, whose tensors should be those of the field. Afterwards
+  // `mesh_vertices()` has the new ones too.
   void write_to(Mesh& mesh)
   {
     for(const Operation& o : m_operations) {
@@ -260,9 +304,17 @@ public:
       }
     }
     m_operations.clear();
+    for(auto v = m_tds.vertices_begin(); v != m_tds.vertices_end(); ++v)
+      if(is_free(v)) {
+        const auto w = m_mesh_vertices[v->index()];
+        w->set_metric_tensor(v->metric_tensor());
+        m_metric->set_place(w, m_places[v->index()]);
+      }
   }
 
 private:
+  typedef typename Metric::Place Place;
+
   enum Kind { MOVE, FLIP, SPLIT, UNITE };
 
   struct Operation
@@ -293,6 +345,7 @@ private:
     copies.push_back(m_tds.create_vertex());
     initialize(copies.back(), v->point(), v->metric_tensor(), is_within && !m_mesh->is_fixed(v));
     m_mesh_vertices.push_back(v);
+    m_places.push_back(m_metric->place_near(v));
     return copies.back();
   }
 
@@ -304,6 +357,10 @@ private:
   }
 
   const Mesh*                                m_mesh;
+  Metric*                                    m_metric;
+  std::vector<Place>                         m_places; // of the vertices
+  mutable bool                               m_is_accurate = true;
+  Field_memo<Mesh>*                          m_field = nullptr;
   Tds                                        m_tds;
   std::vector<typename Mesh::Vertex_handle>  m_mesh_vertices;
   std::vector<Operation>                     m_operations;

@@ -8,6 +8,7 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_PATCH_IMPROVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Edge_swapper.h>
+#include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Unit_band.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Vertex_smoother.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/collapse.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/split.h>
@@ -30,8 +31,7 @@ class Patch_improver
 {
 public:
   Patch_improver(const Patch& start, Acceptance& accept, bool may_collapse)
-    : m_start(start), m_accept(accept), m_may_collapse(may_collapse), m_swap(start.geom_traits()),
-      m_smooth(start.geom_traits())
+    : m_start(start), m_accept(accept), m_may_collapse(may_collapse)
   {}
 
   // Returns the last copy that was accepted, or none. The first attempt moves
@@ -46,14 +46,21 @@ public:
     for(int i = 0; i < n && m_may_collapse; ++i)
       attempt([i](Patch& p) { return collapse(p, p.first_face()->vertex(i)); }, 1);
     for(int i = 0; i < n; ++i)
-      attempt([i](Patch& p) { return split_edge(p, {p.first_face(), i}); }, 1);
+      attempt([i](Patch& p) { return is_long(p, i) && split_edge(p, {p.first_face(), i}); }, 1);
     if(n > 0)
       attempt([](Patch& p) { return split_face(p, p.first_face()); }, 1);
     return std::move(m_best);
   }
 
 private:
-  static constexpr int maximum_of_sweeps = 5;
+  static constexpr int    maximum_of_sweeps = 5;
+  static constexpr double within_reach = 3; // sweeps seldom lower the cost by more
+
+  static bool is_long(const Patch& p, int i)
+  {
+    const auto f = p.first_face();
+    return Unit_band<Patch>::length(p, *f->vertex(Patch::Tds::ccw(i)), *f->vertex(Patch::Tds::cw(i)), 1) >= 1;
+  }
 
   // An operation returns whether it could be done.
   template <class Operation>
@@ -71,6 +78,8 @@ private:
     m_swap(patch);
     std::vector<bool> moved(patch.mesh_vertices().size(), true);
     double before = m_accept.cost(patch);
+    if(before > within_reach * m_accept.cost_limit())
+      return false;
     for(int i = 0; i < maximum_of_sweeps; ++i) {
       moved = m_smooth(patch, threshold, moved);
       if(m_swap(patch))
@@ -88,8 +97,8 @@ private:
   const Patch&                  m_start;
   Acceptance&                   m_accept;
   const bool                    m_may_collapse;
-  const Edge_swapper<Patch>     m_swap;
-  const Vertex_smoother<Patch>  m_smooth;
+  const Edge_swapper<Patch>     m_swap = {};
+  const Vertex_smoother<Patch>  m_smooth = {};
   std::unique_ptr<Patch>        m_best;
 };
 

@@ -28,8 +28,8 @@ class Quality_acceptance
 
 public:
   Quality_acceptance(const Patch& start, double target)
-    : m_swapper(start.geom_traits()), m_band(start.geom_traits()), m_target(target),
-      m_quality_permitted((std::min)(target, least_quality(start))), m_edges_permitted(edges_outside(start)),
+    : m_target(target), m_quality_permitted((std::min)(target, least_quality(start))),
+      m_edges_permitted(edges_outside(start, 1)),
       m_penalty_limit(cost(start) - margin)
   {}
 
@@ -37,7 +37,7 @@ public:
   {
     const double penalty = cost(patch), quality = least_quality(patch);
     if(!(penalty < m_penalty_limit && quality >= m_quality_permitted && m_swapper.keeps_border(patch)
-         && edges_outside(patch) <= m_edges_permitted))
+         && edges_outside(patch, patch.uses_field() ? 1 : error_of_samples) <= m_edges_permitted))
       return false;
     m_penalty_limit = penalty - margin;
     m_is_satisfied = quality >= m_target;
@@ -58,6 +58,7 @@ public:
 
 private:
   static constexpr double margin = 0.05; // of penalty, so that improvements come to an end
+  static constexpr double error_of_samples = 1.015; // of lengths, as a factor
 
   static double least_quality(const Patch& patch)
   {
@@ -67,22 +68,21 @@ private:
   }
 
   // those on the border aside
-  int edges_outside(const Patch& patch) const
+  static int edges_outside(const Patch& patch, double margin)
   {
     int n = 0;
     patch.for_each_edge([&](const Edge& e) {
       const auto v = patch.quadrilateral(e);
-      n += !m_band.contains(*v[1], *v[3]);
+      n += !Unit_band<Patch>::contains(patch, *v[1], *v[3], margin);
     });
     return n;
   }
 
-  const Edge_swapper<Patch>                     m_swapper;
-  const Unit_band<typename Patch::Geom_traits>  m_band;
-  const double                                  m_target, m_quality_permitted;
-  const int                                     m_edges_permitted;
-  double                                        m_penalty_limit;
-  bool                                          m_is_satisfied = false;
+  const Edge_swapper<Patch> m_swapper = {};
+  const double              m_target, m_quality_permitted;
+  const int                 m_edges_permitted;
+  double                    m_penalty_limit;
+  bool                      m_is_satisfied = false;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -8,6 +8,9 @@
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_QUALITY_IMPROVER_H
 
 #include <CGAL/Anisotropic_mesh_2/internal/base/Time_budget.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Triangle_of_doubles.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Field_memo.h>
+#include <CGAL/Anisotropic_mesh_2/internal/mesh/Sampled_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_area.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/metric_quality.h>
 #include <CGAL/Anisotropic_mesh_2/internal/quality_moves/Mesh_patch.h>
@@ -44,9 +47,11 @@ class Quality_improver
   typedef std::pair<double, Indices>       Bad_face; // with its quality
 
 public:
-  Quality_improver(Mesh& mesh, const Time_budget& time)
-    : m_mesh(mesh), m_time(time), m_vertex(mesh.vertex_index_bound()), m_changed(m_vertex.size(), 0),
-      m_maximum_of_trials(mesh.number_of_faces() / 16 + 512), m_least_number(least_number_of_vertices())
+  Quality_improver(Mesh& mesh, Sampled_metric<Mesh>& metric, const Time_budget& time)
+    : m_mesh(mesh), m_metric(metric), m_time(time), m_vertex(mesh.vertex_index_bound()), m_changed(m_vertex.size(), 0),
+      m_maximum_of_trials(mesh.number_of_faces() / 16 + 512),
+      m_maximum_of_evaluations(evaluations_per_vertex * mesh.number_of_vertices()),
+      m_least_number(least_number_of_vertices()), m_field(mesh)
   {
     for(auto v = mesh.finite_vertices_begin(); v != mesh.finite_vertices_end(); ++v)
       m_vertex[v->index()] = v;
@@ -70,6 +75,7 @@ private:
   static constexpr double target = 0.88;
   static constexpr int    maximum_of_rounds = 3;
   static constexpr int    rings = 2;
+  static constexpr std::size_t evaluations_per_vertex = 29; // besides those for vertices that move
 
   // returns `MAX_ITERATION_NUMBER_REACHED` if another round may be of use
   Mesh_optimization_return_code improve_bad_faces(int round)
@@ -89,13 +95,13 @@ private:
       ++m_trials;
       m_improvements += improve_around(f, round);
     }
-    return m_improvements > before ? MAX_ITERATION_NUMBER_REACHED : CANT_IMPROVE_ANYMORE;
+    return m_improvements > before || m_has_skipped ? MAX_ITERATION_NUMBER_REACHED : CANT_IMPROVE_ANYMORE;
   }
 
   double quality(Face_handle f) const
   {
-    return quality_at_barycentre(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
-                                 m_mesh.geom_traits().construct_metric_tensor_2_object());
+    return metric_quality(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point(),
+                          m_metric.tensor(barycentre(triangle_of_doubles(f)), f->vertex(0)));
   }
 
   std::vector<Bad_face> bad_faces() const
@@ -129,12 +135,14 @@ private:
 
   bool improve_around(Face_handle f, int round)
   {
-    const Patch start(m_mesh, patch_around(f));
+    const Patch start(m_mesh, m_metric, patch_around(f));
+    if(!start.is_accurate() && are_evaluations_spent())
+      return false;
     Quality_acceptance<Patch> accept(start, target);
     const bool may_collapse = m_mesh.number_of_vertices() > m_least_number;
     Patch_improver<Patch, Quality_acceptance<Patch> > improver(start, accept, may_collapse);
     const std::unique_ptr<Patch> best = improver(target + 0.01); // leaves other vertices at their mass centres
-    if(best == nullptr)
+    if(best == nullptr || !holds_in_field(start, *best))
       return false;
     for(Vertex_handle v : start.mesh_vertices())
       m_vertex[v->index()] = Vertex_handle();
@@ -148,6 +156,32 @@ private:
         m_changed[w->index()] = round;
     }
     return true;
+  }
+
+  bool are_evaluations_spent()
+  {
+    const bool result = m_field.number_of_evaluations() > m_maximum_of_evaluations;
+    m_has_skipped = m_has_skipped || result;
+    return result;
+  }
+
+  // Gives the patch the tensors of the field. Where samples say little, it must be better in these too.
+  bool holds_in_field(const Patch& start, Patch& best)
+  {
+    const bool is_accurate = start.is_accurate() && best.is_accurate();
+    if(!is_accurate && are_evaluations_spent())
+      return false;
+    best.take_tensors_from_field();
+    if(!is_accurate) {
+      Patch before = start;
+      before.use_field(m_field);
+      best.use_field(m_field);
+      if(!Quality_acceptance<Patch>(before, target)(best))
+        return false;
+    }
+    const Edge_swapper<Patch> swap; // should rounding have decided before
+    swap(best);
+    return swap.keeps_border(best);
   }
 
   // A little less than a unit mesh has, or than the mesh has if that is less: removing vertices raises qualities, but
@@ -211,11 +245,14 @@ private:
   }
 
   Mesh&                      m_mesh;
+  Sampled_metric<Mesh>&      m_metric;
   const Time_budget&         m_time;
   std::vector<Vertex_handle> m_vertex;  // by index
   std::vector<int>           m_changed; // by index: the round in which the vertex was last free to move
-  const std::size_t          m_maximum_of_trials, m_least_number;
+  const std::size_t          m_maximum_of_trials, m_maximum_of_evaluations, m_least_number;
   std::size_t                m_trials = 0, m_improvements = 0;
+  Field_memo<Mesh>           m_field; // where samples say little
+  bool                       m_has_skipped = false; // a patch that would have needed it
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

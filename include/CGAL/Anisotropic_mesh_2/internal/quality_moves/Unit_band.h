@@ -7,52 +7,52 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_UNIT_BAND_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_QUALITY_MOVES_UNIT_BAND_H
 
+#include <CGAL/Anisotropic_mesh_2/internal/base/Vector_of_doubles.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
-
-#include <CGAL/number_utils.h>
 
 #include <cmath>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
-// Watches over the lengths of edges, which are to be within [1/sqrt(2), sqrt(2)].
+// Watches over the lengths of edges of a patch, which are to be within [1/sqrt(2), sqrt(2)].
 // Vertices are what has a point and the metric tensor there.
-template <class Gt>
+template <class Patch>
 class Unit_band
 {
-public:
-  explicit Unit_band(const Gt& gt) : m_gt(gt) {}
+  typedef typename Patch::Vertex Vertex;
 
-  // Whether an edge is in the band by Simpson's rule, a little within to allow for its error.
-  template <class Vertex>
-  bool permits(const Vertex& u, const Vertex& v) const
+public:
+  // Whether an edge is in the band by Simpson's rule, with a tensor for its middle; a little within to allow for
+  // errors.
+  static bool permits(const Vertex& u, const Vertex& v, const Symmetric_form& in_middle)
   {
-    const double l = estimate(u, v);
-    return l > 0.715 && l < 1.4;
+    const Vector_of_doubles p = to_doubles(u.point()), q = to_doubles(v.point());
+    const double l = length_by_simpson(Symmetric_form(u.metric_tensor()), in_middle, Symmetric_form(v.metric_tensor()),
+                                       q.x - p.x, q.y - p.y);
+    return l > 0.72 && l < 1.39;
   }
 
-  template <class Vertex>
-  bool contains(const Vertex& u, const Vertex& v) const
+  // with a margin within, as a factor
+  static bool contains(const Patch& patch, const Vertex& u, const Vertex& v, double margin)
   {
-    const double guess = estimate(u, v);
+    const double guess = length(patch, u, v, 1);
     if(guess > 0.8 && guess < 1.25)
       return true;
-    const double l = m_gt.compute_riemannian_length_2_object()(u.point(), v.point());
-    return l >= std::sqrt(0.5) && l <= std::sqrt(2.);
+    const double l = length(patch, u, v, panels_in_doubt);
+    return l >= std::sqrt(0.5) * margin && l * margin <= std::sqrt(2.);
+  }
+
+  // by Simpson's rule in some panels
+  static double length(const Patch& patch, const Vertex& u, const Vertex& v, int panels)
+  {
+    const Vector_of_doubles p = to_doubles(u.point()), q = to_doubles(v.point());
+    return length_by_simpson(Symmetric_form(u.metric_tensor()), Symmetric_form(v.metric_tensor()), p,
+                             {q.x - p.x, q.y - p.y}, panels,
+                             [&](const Vector_of_doubles& x) { return patch.tensor(x, v); });
   }
 
 private:
-  template <class Vertex>
-  double estimate(const Vertex& u, const Vertex& v) const
-  {
-    const auto &p = u.point(), &q = v.point();
-    const double dx = CGAL::to_double(q.x() - p.x()), dy = CGAL::to_double(q.y() - p.y());
-    const typename Gt::Point_2 middle((p.x() + q.x()) / 2, (p.y() + q.y()) / 2);
-    const Symmetric_form m(m_gt.construct_metric_tensor_2_object()(middle));
-    return length_by_simpson(Symmetric_form(u.metric_tensor()), m, Symmetric_form(v.metric_tensor()), dx, dy);
-  }
-
-  const Gt& m_gt;
+  static constexpr int panels_in_doubt = 4;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

@@ -25,7 +25,6 @@ namespace CGAL::Anisotropic_mesh_2::internal {
 template <class Patch>
 class Vertex_smoother
 {
-  typedef typename Patch::Geom_traits     Gt;
   typedef typename Patch::Face_handle     Face_handle;
   typedef typename Patch::Vertex          Vertex;
   typedef typename Patch::Vertex_handle   Vertex_handle;
@@ -40,8 +39,6 @@ class Vertex_smoother
   };
 
 public:
-  explicit Vertex_smoother(const Gt& gt) : m_band(gt) {}
-
   // Moves vertices that have a face of less quality than `threshold`, and that
   // have moved lately or have a neighbor that has; returns which did, by number.
   std::vector<bool> operator()(Patch& patch, double threshold, const std::vector<bool>& moved) const
@@ -90,8 +87,8 @@ private:
     if(!(sum < penalty_permitted))
       return false;
     Vertex to(p);
-    to.set_metric_tensor(patch.tensor(p));
-    if(!keeps_band(patch, v, to))
+    to.set_metric_tensor(patch.metric_tensor(p, *v));
+    if(!keeps_band(patch, v, to, shapes))
       return false;
     patch.move(v, p, to.metric_tensor(), shapes);
     return true;
@@ -133,18 +130,22 @@ private:
     return s;
   }
 
-  // whether no edge of v leaves the unit band
-  bool keeps_band(const Patch& patch, Vertex_handle v, const Vertex& to) const
+  // whether no edge of v leaves the unit band; the shapes are those of the faces afterwards
+  static bool keeps_band(const Patch& patch, Vertex_handle v, const Vertex& to,
+                         const typename Patch::Face_shapes& shapes)
   {
     bool keeps = true;
+    std::size_t k = 0;
     patch.for_each_face_at(v, [&](Face_handle f, int i) {
       const Vertex& w = *f->vertex(Patch::Tds::ccw(i));
-      keeps = keeps && (m_band.permits(to, w) || !m_band.permits(*v, w));
+      const Face_shape& s = f->neighbor(Patch::Tds::cw(i))->info(); // of the face before
+      const Symmetric_form& before = shapes[(k + shapes.size() - 1) % shapes.size()].metric;
+      keeps = keeps && (Unit_band<Patch>::permits(to, w, 0.5 * (before + shapes[k].metric))
+                        || !Unit_band<Patch>::permits(*v, w, 0.5 * (s.metric + f->info().metric)));
+      ++k;
     });
     return keeps;
   }
-
-  const Unit_band<Gt> m_band;
 };
 
 } // namespace CGAL::Anisotropic_mesh_2::internal

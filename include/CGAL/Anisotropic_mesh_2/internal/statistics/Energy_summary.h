@@ -10,6 +10,7 @@
 #include <CGAL/Anisotropic_mesh_2/Measure.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/Facewise_energy.h>
 #include <CGAL/Anisotropic_mesh_2/internal/mesh/Sampled_metric.h>
+#include <CGAL/Anisotropic_mesh_2/internal/statistics/Summation_metric.h>
 #include <CGAL/Anisotropic_mesh_2/internal/tessellation/Region_moments.h>
 #include <CGAL/Anisotropic_mesh_2/internal/metric/Symmetric_form.h>
 #include <CGAL/Anisotropic_mesh_2/internal/energy/energy_of_hexagons.h>
@@ -31,12 +32,13 @@ class Energy_summary
 public:
   explicit Energy_summary(Measure measure) : m_measure(measure) {}
 
-  // Adds the energy and the area of `faces`, and the pulls of `vertices`, whose
-  // regions may reach into the `other_faces`.
-  void add(const Mesh& mesh, const Faces& faces, const Faces& other_faces, const Vertices& vertices)
+  // Adds the energy and the area of `faces`, which have these `places` in the metric, and the pulls of `vertices`,
+  // whose regions may reach into the `other_faces`.
+  void add(const Mesh& mesh, const Sampled_metric<Mesh>& metric, const Faces& faces, const std::vector<int>& places,
+           const Faces& other_faces, const Vertices& vertices)
   {
-    const Sampled_metric<Mesh> metric(ConcurrencyTag(), mesh);
-    Facewise_energy<Mesh, ConcurrencyTag, Sampled_metric<Mesh> > energy(mesh, metric, m_measure, accurate_tolerance);
+    const Summation_metric<Mesh> for_sums(mesh, metric, 2 * tolerance);
+    Facewise_energy<Mesh, ConcurrencyTag, Summation_metric<Mesh> > energy(mesh, for_sums, m_measure, tolerance);
     std::vector<Region_moments> moments(mesh.vertex_index_bound());
     m_energy += energy.add_faces(faces, moments);
     energy.add_faces(other_faces, moments);
@@ -44,10 +46,10 @@ public:
       const Vector_of_doubles d = moments[v->index()].lloyd_move();
       m_largest_move = (std::max)(m_largest_move, Symmetric_form(v->metric_tensor()).length(d.x, d.y));
     }
-    const double area = integral(mesh, faces, 0.5);
+    const double area = integral(metric, places, 0.5);
     m_area += area;
     m_faces += faces.size();
-    m_density_integral += m_measure == Measure::RIEMANNIAN ? area : integral(mesh, faces, 0.25);
+    m_density_integral += m_measure == Measure::RIEMANNIAN ? area : integral(metric, places, 0.25);
   }
 
   // Faces that were not added, because their regions are unknown, do not count in the ratio.
@@ -63,11 +65,13 @@ public:
   }
 
 private:
-  static double integral(const Mesh& mesh, const Faces& faces, double exponent)
+  static constexpr double tolerance = 0.2; // energies are as good as sums of samples
+
+  static double integral(const Sampled_metric<Mesh>& metric, const std::vector<int>& places, double exponent)
   {
-    return metric_area<ConcurrencyTag, typename Mesh::Point>
-      (faces.size(), [&](std::size_t k) { return triangle_of_doubles(faces[k]); },
-       mesh.geom_traits().construct_metric_tensor_2_object(), exponent, 1e-5, 30000 + 16 * faces.size());
+    return sum_over<ConcurrencyTag>(places.size(), [&](std::size_t k) {
+      return metric.density_integral(places[k], exponent);
+    });
   }
 
   Measure     m_measure;

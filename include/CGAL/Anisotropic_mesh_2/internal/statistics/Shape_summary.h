@@ -7,7 +7,7 @@
 #ifndef CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_SHAPE_SUMMARY_H
 #define CGAL_ANISOTROPIC_MESH_2_INTERNAL_STATISTICS_SHAPE_SUMMARY_H
 
-#include <CGAL/Anisotropic_mesh_2/internal/statistics/Summary.h>
+#include <CGAL/Anisotropic_mesh_2/internal/base/Summary.h>
 
 namespace CGAL::Anisotropic_mesh_2::internal {
 
